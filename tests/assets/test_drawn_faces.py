@@ -58,7 +58,14 @@ def test_a_sloped_face_bears_marks_above_its_slope() -> None:
 
 
 @pytest.mark.parametrize(
-    ("category", "part"), [("chemical_cabinet", "sign"), ("book_return", "letters"), ("crash_cart", "labels")]
+    ("category", "part"),
+    [
+        ("chemical_cabinet", "sign"),
+        ("book_return", "letters"),
+        ("crash_cart", "labels"),
+        ("freezer", "snowflake"),
+        ("service_station", "cutlery"),
+    ],
 )
 def test_a_sign_moves_with_the_door_or_drawer_that_it_is_on(category: str, part: str) -> None:
     owners = {

@@ -62,6 +62,14 @@ def _outline(category: str) -> list[tuple[str, int]]:
         ("dishwasher", "stove"),
         ("high_chair", "kids_chair"),
         ("watering_can", "kettle"),
+        ("calculator", "remote_control"),
+        ("defibrillator", "first_aid_box"),
+        ("mail_shelf", "archive_shelf"),
+        ("stretcher", "hospital_bed"),
+        ("freezer", "minibar"),
+        ("service_station", "sideboard"),
+        ("bar_counter", "sales_counter"),
+        ("slippers", "sneakers"),
     ],
 )
 def test_kinds_that_look_different_are_made_of_different_parts(one: str, other: str) -> None:
@@ -72,3 +80,21 @@ def test_a_football_has_twelve_dark_pentagons() -> None:
     dark = next(part for part in mesh(CATALOGUE.by_category("football")[0]) if part.name == "pentagons")
     middles = dark.vertices.reshape(12, -1, 3).mean(axis=1)
     assert len({tuple(np.sign(np.round(middle, 3))) for middle in middles}) == 12
+
+
+@pytest.mark.parametrize(
+    ("category", "parts"),
+    [
+        ("calculator", {"display", "digits", "keys", "signs"}),
+        ("defibrillator", {"heart", "flash", "letters", "handle"}),
+        ("mail_shelf", {"partitions", "letters", "stamps", "names"}),
+        ("stretcher", {"legs", "wheels", "rails", "pillow", "straps"}),
+        ("freezer", {"controls", "icicles", "snowflake", "drawers"}),
+        ("service_station", {"cutlery", "glasses", "plates", "napkins", "menus"}),
+        ("bar_counter", {"foot_rail", "letters", "beer", "glass"}),
+        ("slippers", {"soles", "footbeds", "uppers", "openings", "collars"}),
+    ],
+)
+def test_a_kind_has_the_parts_that_it_is_known_by(category: str, parts: set[str]) -> None:
+    for asset in CATALOGUE.by_category(category):
+        assert parts <= {part.name for part in mesh(asset)}, asset.key

@@ -69,7 +69,7 @@ def test_a_scheduler_that_goes_away_ends_the_command_and_the_same_command_goes_o
             if progress.done == 2:
                 local.close()
 
-        with pytest.raises(MansionError, match=r"scheduler at tcp://127\S+ does not answer any more; \d of 5") as gone:
+        with pytest.raises(MansionError, match=r"scheduler at tcp://127\S+ no longer answers; \d of 5") as gone:
             make(tmp_path / "w", 5, build_slowly, Cluster(local.scheduler_address), report=away)
     assert gone.value.code == ErrorCode.UNAVAILABLE
     assert "\n" not in str(gone.value)

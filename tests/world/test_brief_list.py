@@ -81,7 +81,7 @@ def test_rows_name_libraries_by_paths_from_their_file_and_defaults_fill_the_rest
         ("a.csv", 'brief,name\n"two\nlines",a\n"b,c\n', r"a\.csv:4: no CSV: "),
         ("a.csv", "brief,seed\n,4\n", r"a\.csv:2: the brief is empty"),
         ("a.csv", "brief,area,floor_area\na flat,90,90\n", r"a\.csv:2: area and floor_area exclude each other"),
-        ("a.csv", "brief,name\na,x\nb,X\n", r"a\.csv:3: the name 'X' is that of line 2 already"),
+        ("a.csv", "brief,name\na,x\nb,X\n", r"a\.csv:3: the name 'X' is already used in line 2"),
         ("a.csv", "brief,name\na,../x\n", r"a\.csv:2: the name '\.\./x' names no folder"),
         ("a.csv", "brief,assets\na,./none\n", r"a\.csv:2: there is no library '.*none' at .*; libraries: "),
         ("a.csv", "brief,footprint\na,none.json\n", r"a\.csv:2: .*none\.json: No such file"),

@@ -50,7 +50,7 @@ def test_a_table_of_other_rows_and_a_damaged_one_are_found(world: WorldFolder) -
     tasks.write_bytes(tasks.read_bytes()[:-20])
     faults = dict(parquet_differences(world))
     assert set(faults) == {"manifest/rooms.parquet", "manifest/tasks.parquet"}
-    assert faults["manifest/rooms.parquet"] == "row 1 is not that of rooms.jsonl"
+    assert faults["manifest/rooms.parquet"] == "row 1 differs from rooms.jsonl"
     assert faults["manifest/tasks.parquet"].startswith("cannot be read: ")
 
 
@@ -65,4 +65,4 @@ def test_check_reads_it_too(world: WorldFolder) -> None:
     parquet.write_table(parquet.read_table(file).slice(0, 1), file)
     done = CliRunner().invoke(app, ["world", "check", str(world.path)])
     assert done.exit_code == 1
-    assert done.stdout == "manifest/tasks.parquet: row 2 is not that of tasks.jsonl\n"
+    assert done.stdout == "manifest/tasks.parquet: row 2 differs from tasks.jsonl\n"

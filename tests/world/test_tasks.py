@@ -96,7 +96,7 @@ def test_a_changed_plan_a_missing_task_and_another_row_are_found(small_world: Pa
         _accept_files(world, record.building.index)
     world.write_manifest()
     faults = list(verify_world(world.path, no_faults, redo=redo_tasks))
-    assert any(where == rows[0].path and "its plan does not do it" in fault for where, fault in faults)
+    assert any(where == rows[0].path and "its plan does not complete it" in fault for where, fault in faults)
     assert any(where == rows[1].path and "has 2 tasks" in fault for where, fault in faults)
 
 

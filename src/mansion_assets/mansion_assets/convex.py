@@ -27,7 +27,7 @@ SIDES = 12
 """Most sides of a round hull: its corners lie on the surface, its faces at most 3.4% of the radius inside it."""
 
 SECTORS = 8
-"""Convex pieces that go round a hollow body, a cup say."""
+"""Convex pieces that go round a hollow body, such as a cup."""
 
 KNEE = 0.1
 """Share of the radius by which a wall may bend before it is cut into bands."""

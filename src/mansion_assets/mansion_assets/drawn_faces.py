@@ -36,7 +36,7 @@ _LETTERS: Final = {
 
 
 class DrawnFace:
-    """A plane with a corner, a direction to the right and one upwards, as who looks at the face sees them.
+    """A plane with a corner, a direction to the right and one upwards, as seen by somebody who looks at the face.
 
     Parameters
     ----------

@@ -1,27 +1,78 @@
-"""Goods that a shelf shows by their shapes: bottles, plants, toys, medicine, magazines, trays."""
+"""Goods in the compartments of shelves and trolleys: books, groceries, bottles, plants, toys, medicine, letters."""
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, TypeAlias
+from typing import Final, TypeAlias
 
+from mansion_assets.builder import Builder, Rect
 from mansion_assets.drawn_faces import DrawnFace
 
-if TYPE_CHECKING:
-    from mansion_assets.builder import Builder, Rect
+__all__ = ["Goods", "goods"]
 
-__all__ = ["Goods", "hung_bags", "lying_bottles", "magazines", "medicine", "potted_plants", "toys", "trays"]
-
-Goods: TypeAlias = "Callable[[Builder, Rect, float, int], None]"
+Goods: TypeAlias = Callable[[Builder, Rect, float, int], None]
 """Fills a compartment of a shelf of some depth; the last argument tells compartments apart."""
 
 
-def _places(cell: "Rect", step: float) -> list[float]:
+_BOOKS = ("paper_red", "paper_blue", "paper_green", "paper_brown", "paper_beige", "paper_dark", "paper_orange")
+
+_GOODS = ("paper_red", "paper_yellow", "paper_blue", "paper_green", "paper_orange", "plastic_white", "paper_purple")
+
+_PRODUCTS = (
+    ("box", "paper_red"),
+    ("can", "metal_steel"),
+    ("box", "paper_beige"),
+    ("bottle", "glass_green"),
+    ("box", "paper_yellow"),
+    ("box", "plastic_white"),
+    ("can", "paper_green"),
+    ("box", "paper_blue"),
+    ("bottle", "glass_brown"),
+    ("box", "paper_brown"),
+    ("can", "paper_orange"),
+)
+"""Shapes and colours of what a supermarket sells."""
+
+_FACINGS = 4
+"""How many of one product stand side by side."""
+
+
+def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
+    """Show goods in a compartment; they are part of the mesh, and the compartment is no receptacle."""
+    own = _OWN_GOODS.get(fill)
+    if own is not None:
+        own(b, cell, depth, key)
+        return
+    room = cell.top - cell.z
+    step, palette = {
+        "books": (0.045, _BOOKS),
+        "folders": (0.08, ("paper_dark", "paper_blue", "paper_grey")),
+        "boxes": (0.36, ("paper_brown", "paper_beige")),
+        "bins": (0.2, ("plastic_blue", "plastic_red")),
+        "shoes": (0.13, ("leather_brown", "fabric_white", "leather_black")),
+        "linen": (0.36, ("fabric_white", "fabric_beige")),
+    }.get(fill, (0.2, _GOODS))
+    count = max(1, int((cell.x1 - cell.x0) / step))
+    step = (cell.x1 - cell.x0) / count
+    tall = {"books": 0.78, "folders": 0.85, "shoes": 0.4, "boxes": 0.72}.get(fill, 0.66)
+    for k in range(count):
+        mark = (k * 7 + key * 13 + k * k * 3) % 11
+        height = room * tall * (0.8 + 0.02 * mark)
+        x0 = cell.x0 + k * step
+        color = palette[(mark + k) % len(palette)]
+        back = cell.y0 + 0.01 + 0.002 * mark
+        front = min(cell.y1 - 0.01, back + depth * 0.8)
+        if fill == "books" and mark == 3:
+            continue
+        b.box((x0 + 0.002, x0 + step - 0.002), (back, front), (cell.z, cell.z + height), color, "goods", solid=False)
+
+
+def _places(cell: Rect, step: float) -> list[float]:
     """Return the middles of columns about `step` wide."""
     count = max(1, int((cell.x1 - cell.x0) / step))
     return [cell.x0 + (k + 0.5) * (cell.x1 - cell.x0) / count for k in range(count)]
 
 
-def lying_bottles(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
+def _lying_bottles(b: Builder, cell: Rect, depth: float, key: int) -> None:
     """Bottles of wine that lie in a lattice of slanted boards, their necks to the front."""
     room = cell.top - cell.z
     columns = max(2, round((cell.x1 - cell.x0) / room))
@@ -52,7 +103,7 @@ def lying_bottles(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
             b.rod((at[0], front - 0.04, at[1]), (at[0], front, at[1]), r * 0.5, foil, "bottles", 6)
 
 
-def potted_plants(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
+def _potted_plants(b: Builder, cell: Rect, depth: float, key: int) -> None:
     """Seedlings in clay pots: a stem and pairs of leaves."""
     room = cell.top - cell.z
     y = (cell.y0 + cell.y1) / 2
@@ -76,7 +127,7 @@ def potted_plants(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
             )
 
 
-def toys(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
+def _toys(b: Builder, cell: Rect, depth: float, key: int) -> None:
     """Bears, balls, towers of blocks and cars in turn."""
     room = cell.top - cell.z
     y, size = (cell.y0 + cell.y1) / 2 + 0.03, min((cell.top - cell.z) * 0.8, 0.2)
@@ -84,7 +135,7 @@ def toys(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
         (_bear, _ball, _blocks, _car)[(k + key) % 4](b, (x, y, cell.z), min(size, room * 0.85))
 
 
-def _bear(b: "Builder", at: tuple[float, float, float], size: float) -> None:
+def _bear(b: Builder, at: tuple[float, float, float], size: float) -> None:
     x, y, z = at
     b.ball((x, y, z + size * 0.3), (size * 0.26, size * 0.22, size * 0.3), "fabric_8a5a34", "toys", 8)
     b.ball((x, y, z + size * 0.74), (size * 0.24, size * 0.22, size * 0.22), "fabric_8a5a34", "toys", 8)
@@ -106,14 +157,14 @@ def _bear(b: "Builder", at: tuple[float, float, float], size: float) -> None:
         )
 
 
-def _ball(b: "Builder", at: tuple[float, float, float], size: float) -> None:
+def _ball(b: Builder, at: tuple[float, float, float], size: float) -> None:
     x, y, z = at
     r = size * 0.42
     b.ball((x, y, z + r), (r, r, r), "plastic_red", "toys", 12)
     b.lathe([(r * 0.99, z + r * 0.8), (r * 1.02, z + r), (r * 0.99, z + r * 1.2)], "plastic_white", (x, y), "toys", 12)
 
 
-def _blocks(b: "Builder", at: tuple[float, float, float], size: float) -> None:
+def _blocks(b: Builder, at: tuple[float, float, float], size: float) -> None:
     x, y, z = at
     s = size * 0.34
     for u, level, color in ((-0.55, 0, "blue"), (0.55, 0, "yellow"), (0.0, 1, "green")):
@@ -136,7 +187,7 @@ def _blocks(b: "Builder", at: tuple[float, float, float], size: float) -> None:
     )
 
 
-def _car(b: "Builder", at: tuple[float, float, float], size: float) -> None:
+def _car(b: Builder, at: tuple[float, float, float], size: float) -> None:
     x, y, z = at
     s = size
     b.box(
@@ -166,7 +217,7 @@ def _car(b: "Builder", at: tuple[float, float, float], size: float) -> None:
         )
 
 
-def hung_bags(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
+def _hung_bags(b: Builder, cell: Rect, depth: float, key: int) -> None:
     """A child's satchel in each place between upright boards, with its pocket, straps and a name."""
     room, y = cell.top - cell.z, (cell.y0 + cell.y1) / 2
     places = _places(cell, 0.3)
@@ -210,7 +261,7 @@ def hung_bags(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
         )
 
 
-def medicine(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
+def _medicine(b: Builder, cell: Rect, depth: float, key: int) -> None:
     """White cartons with coloured bands and crosses, and brown bottles with white caps, in turn."""
     room, front = cell.top - cell.z, cell.y1 - 0.03
     for k, x in enumerate(_places(cell, 0.105)):
@@ -237,7 +288,7 @@ def medicine(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
         face.field((-x - 0.024, -x + 0.024), (cell.z + tall * 0.56, cell.z + tall * 0.7), color, "crosses", 0.002)
 
 
-def magazines(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
+def _magazines(b: Builder, cell: Rect, depth: float, key: int) -> None:
     """Magazines that lean back with their covers to the front: a title across a picture or a colour."""
     room = cell.top - cell.z
     pictures = (
@@ -269,7 +320,7 @@ def magazines(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
     )
 
 
-def trays(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
+def _trays(b: Builder, cell: Rect, depth: float, key: int) -> None:
     """A used tray: a plate with left-overs, a cup, a fork, and a crumpled napkin."""
     x0, x1 = cell.x0 + 0.01, cell.x1 - 0.01
     y0, y1, z = cell.y0 + 0.02, cell.y1 + 0.02, cell.z
@@ -303,3 +354,91 @@ def trays(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
         (middle + 0.05, y - 0.08, z + 0.016), (middle + 0.07, y + 0.1, z + 0.016), 0.006, "metal_chrome", "cutlery", 6
     )
     b.ball((middle + 0.16, y - 0.14, z + 0.03), (0.05, 0.04, 0.02), "paper_white", "napkins", 6)
+
+
+def _groceries(b: Builder, cell: Rect, depth: float, key: int) -> None:
+    """Show several of each product side by side, behind a rail with the prices."""
+    room = cell.top - cell.z
+    count = max(1, int((cell.x1 - cell.x0) / 0.105))
+    step = (cell.x1 - cell.x0) / count
+    # Of a shelf with two sides the one to the back faces the other way.
+    front = cell.y1 if abs(cell.y1) > abs(cell.y0) else cell.y0
+    inwards = -1 if front > 0 else 1
+    for k in range(count):
+        run = k // _FACINGS
+        shape, color = _PRODUCTS[(run * 5 + key * 3 + (front > 0)) % len(_PRODUCTS)]
+        height = room * (0.5 + 0.07 * ((run * 3 + key) % 5))
+        x = cell.x0 + (k + 0.5) * step
+        if shape == "box":
+            y = sorted((front + inwards * 0.03, front + inwards * min(depth - 0.02, 0.3)))
+            half = step * (0.46 if run % 2 else 0.4)
+            b.box((x - half, x + half), (y[0], y[1]), (cell.z, cell.z + height), color, "goods", solid=False)
+            continue
+        for row in (0.08, 0.19) if depth > 0.3 else (0.08,):
+            tall = min(height, 0.13) if shape == "can" else height
+            b.cyl(x, front + inwards * row, (cell.z, cell.z + tall), step * 0.42, color, "goods", n=6, solid=False)
+    rail = sorted((front, front + inwards * 0.012))
+    z = (cell.z - 0.03, cell.z + 0.012)
+    b.box((cell.x0, cell.x1), (rail[0], rail[1]), z, "plastic_white", "rails", solid=False)
+
+
+def _letters(b: Builder, cell: Rect, depth: float, key: int) -> None:
+    """Two rows of pigeonholes with envelopes, stamped or with their flap to the front, and a name below each."""
+    places, room = _places(cell, 0.22), (cell.top - cell.z) / 2
+    half = (cell.x1 - cell.x0) / len(places) / 2
+    b.box((cell.x0, cell.x1), (cell.y0, cell.y0 + 0.004), (cell.z, cell.top), "wood_5a4632", "backs", solid=False)
+    for x in [cell.x0 + 2 * half * k for k in range(1, len(places))]:
+        b.box((x - 0.006, x + 0.006), (cell.y0, cell.y1), (cell.z, cell.top), b.mat(), "partitions")
+    b.box((cell.x0, cell.x1), (cell.y0, cell.y1), (cell.z + room - 0.012, cell.z + room), b.mat(), "boards")
+    front = DrawnFace.front(b, cell.y1)
+    for row in range(2):
+        low = cell.z + row * room
+        for k, x in enumerate(places):
+            front.field((-x - half * 0.6, -x + half * 0.6), (low - 0.018, low + 0.01), "paper_white", "names", 0.008)
+            front.field((-x - half * 0.4, -x + half * 0.4), (low - 0.008, low), "plastic_black", "names", 0.0095)
+            mark = (k * 5 + row * 3 + key * 2) % 7
+            if mark != 2:
+                at = (x, cell.y1 - 0.05 - 0.01 * (mark % 3), low)
+                _envelope(b, at, (half * 0.74, room * (0.66 + 0.03 * (mark % 3))), mark)
+
+
+def _envelope(b: Builder, at: tuple[float, float, float], size: tuple[float, float], mark: int) -> None:
+    """An envelope of half a width and a height on its long edge, before others that lie flat."""
+    x, y, z = at
+    half, tall = size
+    paper = ("paper_white", "paper_d9b98a", "paper_white", "paper_cfe0f2")[mark % 4]
+    for k in range(mark % 3):
+        b.box(
+            (x - half, x + half), (y - 0.2, y + 0.04), (z + k * 0.008, z + k * 0.008 + 0.006), "paper_f4f1e8", "letters"
+        )
+    low = z + 0.008 * (mark % 3)
+    b.box((x - half, x + half), (y - 0.006, y), (low, low + tall), paper, "letters", solid=False)
+    face = DrawnFace.front(b, y)
+    if mark % 2:
+        flap = [(-x - half, low + tall), (-x, low + tall * 0.4), (-x + half, low + tall)]
+        face.line(flap, 0.004, "plastic_5a6470", "flaps", 0.001)
+        face.disc(-x, low + tall * 0.42, tall * 0.12, "paint_red", "seals", 0.004, 10)
+        return
+    face.field((-x + half * 0.5, -x + half * 0.9), (low + tall * 0.5, low + tall * 0.92), "paint_red", "stamps", 0.002)
+    for v in (0.2, 0.4):
+        face.field(
+            (-x - half * 0.5, -x + half * 0.3),
+            (low + tall * v, low + tall * (v + 0.09)),
+            "plastic_3a4f8a",
+            "addresses",
+            0.002,
+        )
+
+
+_OWN_GOODS: Final[dict[str, Goods]] = {
+    "bags": _hung_bags,
+    "bottles": _lying_bottles,
+    "groceries": _groceries,
+    "letters": _letters,
+    "magazines": _magazines,
+    "medicine": _medicine,
+    "plants": _potted_plants,
+    "toys": _toys,
+    "trays": _trays,
+}
+"""Goods with a shape of their own; the others are boxes."""

@@ -6,6 +6,7 @@ outside.
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -53,8 +54,12 @@ def revolved(profile: Sequence[tuple[float, float]], at: Span, n: int, stretch: 
     return vertices, _ring_faces(len(profile), n)
 
 
+@lru_cache(maxsize=512)
 def _ring_faces(rings: int, n: int) -> Ints:
-    """Join rings of `n` vertices; close the first and the last with fans about the two poles after them."""
+    """Join rings of `n` vertices; close the first and the last with fans about the two poles after them.
+
+    The array is shared by all bodies with so many rings, and cannot be written to.
+    """
     i = np.arange(n)
     j = (i + 1) % n
     faces = []
@@ -65,16 +70,23 @@ def _ring_faces(rings: int, n: int) -> Ints:
     end = (rings - 1) * n
     faces.append(np.column_stack([np.full(n, first), j, i]))
     faces.append(np.column_stack([np.full(n, last), end + i, end + j]))
-    return np.concatenate(faces)
+    joined = np.concatenate(faces)
+    joined.flags.writeable = False
+    return joined
+
+
+def _cross(a: Sequence[float] | Floats, b: Sequence[float] | Floats) -> Floats:
+    """Return the cross product of two vectors; NumPy's, made for arrays of them, takes ten times as long for two."""
+    return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
 def bar(start: Vec3, end: Vec3, r: float, n: int) -> tuple[Floats, Ints]:
     """Return a round bar of `n` sides between two points."""
     a, b = np.array(start), np.array(end)
     axis = (b - a) / max(float(np.linalg.norm(b - a)), 1e-9)
-    side = np.cross(axis, (0.0, 0.0, 1.0) if abs(axis[2]) < 0.9 else (1.0, 0.0, 0.0))
+    side = _cross(axis, (0.0, 0.0, 1.0) if abs(axis[2]) < 0.9 else (1.0, 0.0, 0.0))
     side /= np.linalg.norm(side)
-    other = np.cross(axis, side)
+    other = _cross(axis, side)
     angles = np.linspace(0.0, 2 * math.pi, n, endpoint=False)
     ring = r * (np.outer(np.cos(angles), side) + np.outer(np.sin(angles), other))
     return np.concatenate([a + ring, b + ring, [a], [b]]), _ring_faces(2, n)

@@ -26,7 +26,7 @@ def build_list(
     formats: Sequence[str] = (),
     report: Callable[[WorldProgress], None] = lambda progress: None,
 ) -> list[Result]:
-    """Build the briefs of a list into a folder, or go on with it; return and write what became of each.
+    """Build the briefs of a list into a folder, or continue an interrupted run; return and write what became of each.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def build_list(
     workers : callable
         Makes an executor of `jobs` workers.
     formats : sequence of str
-        Export formats to write beside plans and pictures.
+        Export formats to write in addition to plans and pictures.
 
     Raises
     ------

@@ -338,7 +338,8 @@ class MansionClient(Closing):
 def _lost(client: Client) -> MansionError:
     return MansionError(
         ErrorCode.UNAVAILABLE,
-        f"the node that serves {client.service_name} disappeared during the call; it may or may not have been done",
+        f"the node that serves {client.service_name} disappeared during the call, "
+        "which may or may not have been carried out",
         details={"service": client.service_name},
     )
 

@@ -42,7 +42,7 @@ class Cluster:
     address : str
         Address of the scheduler, such as ``tcp://127.0.0.1:8786``.
     most : int
-        Attempts in work at once; 0: as many as the workers have threads.
+        Attempts that run at once; 0: as many as the workers have threads.
     say : callable
         Gets what the user may want to know.
     """
@@ -98,7 +98,7 @@ def _connected(address: str) -> Any:
 
 
 def _scheduler_gone(address: str) -> WorkersGone:
-    return WorkersGone(f"the dask scheduler at {address} does not answer any more")
+    return WorkersGone(f"the dask scheduler at {address} no longer answers")
 
 
 class _ClusterExecutor(Executor):

@@ -1,4 +1,4 @@
-"""Estimates of how long the check or the 3D model of a very large building takes, told before it begins."""
+"""Estimates of how long the check or the 3D model of a very large building takes, shown before it begins."""
 
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path

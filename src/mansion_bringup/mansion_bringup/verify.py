@@ -56,7 +56,7 @@ def check_houses(
 ) -> Iterator[Fault]:
     """Yield what ``CreateHouse`` would not read, or would build wrongly.
 
-    Rooms with less than five positions on AI2-THOR's grid of 0.25 m are told to `note` and are no fault of the
+    Rooms with fewer than five positions on AI2-THOR's grid of 0.25 m are passed to `note` and are no fault of the
     building: ``House.validate`` asks them of a house made for a task in that simulator, and a store of 1.5 m2 has no
     place for five wherever its shelf stands.
 

@@ -1,4 +1,4 @@
-"""What a world needs of other packages: buildings built and checked, tasks made and tried, and worker processes."""
+"""The steps of making a world that other packages do: building, checking, making and trying tasks, starting workers."""
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
@@ -57,7 +57,7 @@ def tasks_for_world(folder: Path, count: int, seed: int, first: int) -> MadeTask
         tries = [_run_plan(task, sandbox) for task in made]
         done = [entry for entry in tries if entry.success]
         if len(done) >= count or len(made) < wanted:
-            why = "" if done else "no plan does its task again"
+            why = "" if done else "no plan completes its task when it is run again"
             return MadeTasks(tasks=done[:count], undone=len(undone) + len(tries) - len(done), why_none=why)
         wanted += count - len(done)
 

@@ -24,8 +24,8 @@ NICENESS: Final = 5
 """By how much its priority is lower than that of the process that answers calls."""
 
 
-REST: Final = 2.0
-"""How much longer the process rests than it has worked: while edits follow each other, it takes a third of a core."""
+REST: Final = 3.0
+"""How much longer the process rests than it has worked: while edits follow each other, it takes a quarter of a core."""
 
 
 class DerivedFiles:

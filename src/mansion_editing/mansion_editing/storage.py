@@ -326,7 +326,7 @@ class BuildingStore:
     def _recount(self, files: ReplacedFiles, floors: Iterable[int]) -> None:
         """Write the numbers of objects of some floors, and of all where it is stated, into ``building.json``."""
         building = msgspec.json.decode((self.folder / INDEX).read_bytes())
-        counts = {floor: len(self._reader.scene(floor).objects) for floor in floors}
+        counts = {floor: len(self._scene(floor).objects) for floor in floors}
         stale = [e for e in building["floors"] if e["objects"] != counts.get(e["floor"], e["objects"])]
         for entry in stale:
             entry["objects"] = counts[entry["floor"]]

@@ -166,7 +166,7 @@ def formats_of_build(names: Iterable[str] = ()) -> tuple[Format, ...]:
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` at ``$.formats`` with the names that there are.
+        ``NOT_FOUND`` at ``$.formats`` with the known names.
     """
     asked = set(names)
     unknown = sorted(asked - {ALL, *_formats})

@@ -16,7 +16,7 @@ Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
 Labels = NDArray[np.int32]
-"""Numbers of regions, of a grid's cells for one."""
+"""Numbers of regions, such as those of a grid's cells."""
 
 Counts = NDArray[np.int16]
 """Small numbers, as many as a grid has cells."""

@@ -63,7 +63,7 @@ def check_cells(rows: int, columns: int) -> None:
     if rows * columns > MAX_CELLS:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"a grid of {rows} x {columns} cells is too large; at most {MAX_CELLS} are made",
+            f"a grid of {rows} x {columns} cells is too large; at most {MAX_CELLS} cells are allowed",
             details={"rows": rows, "columns": columns, "limit": MAX_CELLS},
         )
 

@@ -44,9 +44,9 @@ def _window(
 
 @kernel
 def _shrink(counts: Counts, reached: Bools, r0: int, r1: int, c0: int, c1: int) -> tuple[bool, int]:
-    """Drop blocked cells of a window from `reached` if the others hang together inside it; tell so, and how many.
+    """Drop blocked cells of a window from `reached` if the others are connected in it; return whether, and how many.
 
-    Where they do, blocking cells inside the window cut nothing off: a path through them can go round inside the window.
+    Where they are, blocking cells inside the window cut nothing off: a path through them can go round inside it.
     """
     rows, cols = r1 - r0, c1 - c0
     seen = np.zeros((rows, cols), dtype=np.bool_)

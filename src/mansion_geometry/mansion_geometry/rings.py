@@ -76,7 +76,7 @@ def largest_polygon(shape: BaseGeometry) -> Polygon:
 
 
 def ring_of(line: BaseGeometry, *, ccw: bool = True) -> list[tuple[float, float]]:
-    """Return a closed shapely line as a ring in the wished order, without the repeated point."""
+    """Return a closed shapely line as a ring in the wanted order, without the repeated point."""
     return oriented(shapely.get_coordinates(line)[:-1], ccw=ccw)
 
 

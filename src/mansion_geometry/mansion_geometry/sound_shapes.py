@@ -29,7 +29,7 @@ class UnsoundShape(NamedTuple):
 
 
 def unsound_shapes(scene: FloorScene) -> Iterator[UnsoundShape]:
-    """Yield the shapes of a floor's outline, rooms, cores and walls that are none."""
+    """Yield the shapes of a floor's outline, rooms, cores and walls that are degenerate."""
     yield from _region(f"floor {scene.floor}", "outline", scene.outline, scene.holes)
     for room in scene.rooms:
         yield from _region(room.id, "polygon", room.polygon, room.holes)
@@ -43,7 +43,7 @@ def unsound_shapes(scene: FloorScene) -> Iterator[UnsoundShape]:
 
 def _region(owner: str, part: str, ring: Ring, holes: Sequence[Ring]) -> Iterator[UnsoundShape]:
     if len(ring) < 3 or any(len(hole) < 3 for hole in holes):
-        yield UnsoundShape(owner, part, f"its {part} has less than three corners")
+        yield UnsoundShape(owner, part, f"its {part} has fewer than three corners")
         return
     shape = Polygon(ring, holes)
     if not shape.is_valid:
@@ -53,7 +53,7 @@ def _region(owner: str, part: str, ring: Ring, holes: Sequence[Ring]) -> Iterato
 
 
 def require_sound_shapes(scenes: Sequence[FloorScene]) -> None:
-    """Refuse floors with a shape that is none.
+    """Refuse floors with a degenerate shape.
 
     Raises
     ------

@@ -11,7 +11,10 @@ __all__ = [
     "EXTERIOR_THICKNESS",
     "INTERIOR_THICKNESS",
     "MIN_CLEAR_WIDTH",
+    "SHARED_SPACE_DEPTH",
+    "SHARED_SPACE_WIDTH",
     "SHORTEST_WINDOW",
+    "doorway_depth",
 ]
 
 INTERIOR_THICKNESS: Final = 0.12
@@ -24,6 +27,10 @@ MIN_CLEAR_WIDTH: Final = 0.7
 
 DOORWAY_DEPTH: Final = 0.6
 """Depth of the floor on either side of a door that furniture leaves clear."""
+SHARED_SPACE_WIDTH: Final = 2.5
+"""Width from which an opening without a leaf joins two rooms into one space, where one passes anywhere."""
+SHARED_SPACE_DEPTH: Final = 0.2
+"""Depth of the floor on either side of such an opening that furniture leaves clear."""
 DOOR_HEAD: Final = 1.9
 """Height above which what hangs is in no door's way."""
 
@@ -34,3 +41,21 @@ ADJACENT_WALL: Final = 0.3
 
 SHORTEST_WINDOW: Final = 0.2
 """Width below which what is left of a window is left out."""
+
+
+def doorway_depth(width: float, *, is_open: bool) -> float:
+    """Return the depth of the floor on either side of a door or an opening that furniture leaves clear, metres.
+
+    Parameters
+    ----------
+    width : float
+        Metres.
+    is_open : bool
+        It has no leaf, so that two rooms are one space through it where it is wide.
+
+    Examples
+    --------
+    >>> doorway_depth(4.0, is_open=True), doorway_depth(1.2, is_open=True), doorway_depth(5.0, is_open=False)
+    (0.2, 0.6, 0.6)
+    """
+    return SHARED_SPACE_DEPTH if is_open and width >= SHARED_SPACE_WIDTH else DOORWAY_DEPTH

@@ -17,7 +17,7 @@ _IRREGULAR = {
     "mice": "mouse", "teeth": "tooth", "oxen": "ox",
     "knives": "knife", "wives": "wife", "lives": "life", "shelves": "shelf", "bookshelves": "bookshelf",
     "loaves": "loaf", "leaves": "leaf", "halves": "half", "calves": "calf", "wolves": "wolf", "scarves": "scarf",
-    "thieves": "thief", "selves": "self",
+    "midwives": "midwife", "customs": "customs", "thieves": "thief", "selves": "self",
     "atria": "atrium", "auditoria": "auditorium", "gymnasia": "gymnasium", "aquaria": "aquarium", "cacti": "cactus",
     "radii": "radius", "foci": "focus", "criteria": "criterion", "analyses": "analysis", "axes": "axis",
     "bases": "base", "buses": "bus", "gases": "gas", "lenses": "lens", "canvases": "canvas", "campuses": "campus",
@@ -55,7 +55,7 @@ _INVARIABLE = frozenset(
 
 _TAKES_VES = {"knife": "knives", "wife": "wives", "life": "lives", "shelf": "shelves", "bookshelf": "bookshelves",
               "loaf": "loaves", "leaf": "leaves", "half": "halves", "calf": "calves", "wolf": "wolves",
-              "scarf": "scarves", "thief": "thieves", "self": "selves"}  # fmt: skip
+              "midwife": "midwives", "scarf": "scarves", "thief": "thieves", "self": "selves"}  # fmt: skip
 _TAKES_OES = frozenset({"potato", "tomato", "hero", "echo", "mosquito", "volcano", "torpedo"})
 _OTHER_PLURALS = {one: many for many, one in _IRREGULAR.items() if not many.endswith("s") or one.endswith("is")}
 

@@ -132,7 +132,7 @@ def _check_size(data: bytes, name: str) -> None:
     if len(data) > MAX_PAYLOAD:
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD,
-            f"the JSON has {len(data)} bytes; at most {MAX_PAYLOAD} are read",
+            f"the JSON has {len(data)} bytes; at most {MAX_PAYLOAD} are accepted",
             details={"payload": name},
         )
 

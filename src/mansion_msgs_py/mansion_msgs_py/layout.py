@@ -46,7 +46,7 @@ class FixedRoom(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class SeedRange(msgspec.Struct, frozen=True, kw_only=True):
-    """An axis-aligned box in which a room's centroid is wished."""
+    """An axis-aligned box in which a room's centroid should lie."""
 
     x: Point
     y: Point

@@ -87,11 +87,14 @@ class PlacementOpening(msgspec.Struct, frozen=True, kw_only=True):
     ----------
     sill : float
         Height below which furniture may stand before it; 0 for a door.
+    is_open : bool
+        It is a door without a leaf: two rooms are one space through it where it is wide.
     """
 
     segment: Segment
     id: str = ""
     sill: Elevation = 0.9
+    is_open: bool = False
 
 
 class PlacementRoom(msgspec.Struct, frozen=True, kw_only=True):

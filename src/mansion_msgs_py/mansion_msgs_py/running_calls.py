@@ -1,4 +1,4 @@
-"""The calls that a node works on, which others can cancel."""
+"""The calls that a node is serving, which others can cancel."""
 
 import sys
 import threading
@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 class RunningCalls(Generic[T]):
-    """Calls in work, each described by a value; safe to use from several threads.
+    """Running calls, each described by a value; safe to use from several threads.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ class RunningCalls(Generic[T]):
 
     @contextmanager
     def begun(self, call: T) -> Iterator[threading.Event]:
-        """Count a call as in work during the block, which gets an event that is set when somebody cancels it.
+        """Count a call as running during the block, which gets an event that is set when somebody cancels it.
 
         Raises
         ------
@@ -68,6 +68,6 @@ class RunningCalls(Generic[T]):
         return list(found.values())
 
     def any(self, chosen: Callable[[T], bool]) -> bool:
-        """Whether a chosen call is in work."""
+        """Whether a chosen call is running."""
         with self._guard:
             return any(chosen(call) for call in self._running.values())

@@ -125,7 +125,7 @@ class BuildReply(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class CancelPlan(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Arguments of ``cancel_plan``: the plan of which building to give up; the one in work when absent."""
+    """Arguments of ``cancel_plan``: the plan of which building to give up; the running one when absent."""
 
     building_id: BuildingId | None = None
 

@@ -27,7 +27,7 @@ class TopologyNode(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class Edge(msgspec.Struct, kw_only=True, frozen=True):
-    """A wished connection (``access``: a door or an opening) or neighbourhood (``adjacent``)."""
+    """A wanted connection (``access``: a door or an opening) or neighbourhood (``adjacent``)."""
 
     source: Identifier
     target: Identifier

@@ -34,7 +34,7 @@ _LONG = 400
 """Characters of a wrong name that are compared and shown: names may come from anywhere."""
 
 _SOUNDED = ("uni", "use", "usu", "uti", "eu", "one")
-"""Beginnings that are written with a vowel and spoken with a consonant."""
+"""Beginnings that are written with a vowel and pronounced with a consonant."""
 
 _MUTE = ("hour", "honest", "heir")
 

@@ -64,7 +64,7 @@ def worker_pool(
 
 
 class _Pool(ProcessPoolExecutor):
-    """A pool whose workers are deaf to Ctrl-C from their first instruction on.
+    """A pool whose workers ignore Ctrl-C from their first instruction on.
 
     A worker inherits the signals that are blocked where it is made, and takes an interrupt no sooner than `_begin` has
     chosen to ignore it. Otherwise one that comes while its interpreter starts ends it with a traceback.

@@ -1,4 +1,4 @@
-"""Who sleeps where in a home: two in the main bedroom of a floor, one in each of the others."""
+"""The furniture that each bedroom of a home gets: for two people in the main one of a floor, for one in the others."""
 
 from collections.abc import Sequence
 

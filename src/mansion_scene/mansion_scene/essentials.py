@@ -1,4 +1,4 @@
-"""What a room cannot be used without: what of it is missing, how it is asked for, and what is told in the end."""
+"""Furniture that a room cannot be used without: what is missing, how it is requested, and what does not fit."""
 
 import math
 from collections.abc import Iterable, Sequence

@@ -1,4 +1,4 @@
-"""What the brief asks for in a room: what is short of it, how it is tried again, and what is told in the end."""
+"""Objects that the brief asks for in a room: which are missing, how they are tried again, and which do not fit."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence

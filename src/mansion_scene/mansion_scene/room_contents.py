@@ -84,7 +84,7 @@ def room_openings(structure: FloorOpenings, room: SceneRoom) -> tuple[list[Place
     """Return a room's doors and windows as openings in the boundary of its net interior."""
     net = Polygon(room.net_polygon, room.net_holes)
     doors = [
-        PlacementOpening(id=door.id, segment=_on_boundary(net, door.segment), sill=0.0)
+        PlacementOpening(id=door.id, segment=_on_boundary(net, door.segment), sill=0.0, is_open=door.kind == "open")
         for door in structure.doors
         if room.id in door.rooms
     ]

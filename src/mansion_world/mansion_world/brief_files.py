@@ -214,4 +214,4 @@ def _repeated_names(rows: Sequence[tuple[int, NamedRequest]]) -> Iterator[tuple[
     for line, row in rows:
         earlier = seen.setdefault(row.name.casefold(), line)
         if row.name and earlier != line:
-            yield line, f"the name {row.name!r} is that of line {earlier} already"
+            yield line, f"the name {row.name!r} is already used in line {earlier}"

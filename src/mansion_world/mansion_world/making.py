@@ -1,4 +1,4 @@
-"""A world made: requests built by workers in any order, and given their places in the order of their indices.
+"""The making of a world: workers build requests in any order, and buildings get their places in the order of indices.
 
 An attempt depends on its request alone. Whether it is a near-duplicate depends on the buildings before it, so attempts
 that finish early wait until all before them have their places: the world does not depend on the number of workers.
@@ -36,7 +36,7 @@ from mansion_world.world_folder import WorldFolder, building_path
 __all__ = ["Jobs", "Workers", "WorldProgress", "make_world"]
 
 _MOST_CRASHES: Final = 5
-"""Ends of workers while one attempt was in work before it is set aside."""
+"""Number of times that workers may crash at one attempt before it is set aside."""
 
 _AHEAD: Final = 8
 """Attempts for each worker that may wait for their places."""
@@ -48,7 +48,7 @@ Workers = Callable[[], AbstractContextManager[Executor]]
 """Makes the processes that build; asked again when one of them was killed."""
 
 Jobs = Callable[[], int]
-"""Returns how many attempts may be in work at once, at least one; machines come and go."""
+"""Returns how many attempts may run at once, at least one; machines come and go."""
 
 
 @dataclass(frozen=True)
@@ -109,7 +109,7 @@ def make_world(
     tasks: TaskStep = NO_TASKS,
     report: Callable[[WorldProgress], None] = lambda progress: None,
 ) -> WorldProgress:
-    """Make a world of `count` buildings, or go on with one.
+    """Make a world of `count` buildings, or continue one.
 
     Parameters
     ----------
@@ -277,14 +277,14 @@ def _set_aside(run: _Run, entry: SetAside) -> None:
 
 
 def _after_crash(run: _Run, ended: Sequence[Future[Outcome]]) -> None:
-    """Give back what was in work when a worker ended, and set aside what workers end at again and again."""
+    """Return to the queue what ran when a worker crashed, and set aside what workers crash at repeatedly."""
     for request in [run.working.pop(future) for future in ended]:
         key = (request.index, request.attempt)
         run.crashes[key] = run.crashes.get(key, 0) + 1
         if run.crashes[key] < _MOST_CRASHES:
             run.again.append(request)
         else:
-            details = [f"a worker ended {_MOST_CRASHES} times while it was in work"]
+            details = [f"a worker ended {_MOST_CRASHES} times while working on it"]
             _set_aside(run, SetAside(request=request, reason="worker ended", details=details))
 
 

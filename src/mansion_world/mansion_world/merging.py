@@ -1,4 +1,4 @@
-"""Worlds that were made apart joined into one.
+"""The joining of worlds that were made separately.
 
 Buildings keep their folders' contents, their ids and, where no other world has it, their index; a world whose indices
 are taken gets the next ones. Splits are drawn again with the seed of the first world, so that requests in the same

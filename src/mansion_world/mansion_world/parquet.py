@@ -76,7 +76,7 @@ def _difference(world: WorldFolder, name: str) -> str:
         pairs = zip_longest(chain.from_iterable(batches), _rows(world, name))
         for number, (row, wanted) in enumerate(pairs, start=1):
             if row != wanted:
-                return f"row {number} is not that of {name}.jsonl"
+                return f"row {number} differs from {name}.jsonl"
     except (pa.ArrowException, OSError) as error:
         return f"cannot be read: {error}"
     return ""

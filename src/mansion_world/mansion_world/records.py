@@ -246,7 +246,7 @@ class Record(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class SetAside(msgspec.Struct, frozen=True, kw_only=True):
-    """A request that came to nothing, with the reason."""
+    """A request that was given up, with the reason."""
 
     request: WorldRequest
     reason: Literal["refused", "faults", "floor too large", "near-duplicate", "worker ended"]

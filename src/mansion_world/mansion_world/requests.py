@@ -45,7 +45,7 @@ class Requests(Protocol):
 
     @property
     def origin(self) -> str:
-        """What the requests follow from beside the seed, as ``world.json`` keeps it."""
+        """What the requests follow from besides the seed, as ``world.json`` keeps it."""
 
     @property
     def terms(self) -> Terms:

@@ -70,7 +70,7 @@ class WorldStatistics:
     without_tasks : int
         Buildings that have none though some were asked for.
     tried, succeeded : Counter of (str, str)
-        Tasks that an agent tried and did, by agent and difficulty.
+        Tasks that an agent tried and completed, by agent and difficulty.
     aside : Counter of str
         What was set aside, by sub-kind and reason.
     """

@@ -1,4 +1,4 @@
-"""How agents did at the tasks of a world: a row for each task that an agent tried."""
+"""Results of agents at the tasks of a world: a row for each task that an agent tried."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice
@@ -21,7 +21,7 @@ def task_sets(world: WorldFolder, most: int = 0) -> list[Path]:
     ----------
     world : WorldFolder
     most : int
-        Return those of the first so many buildings; 0 for all.
+        Number of buildings, from the first on, whose tasks are returned; 0 for all.
 
     Raises
     ------

@@ -52,7 +52,7 @@ def verify_world(
         if not building.is_dir():
             yield row.path, "is missing"
         elif folder_digest(building)[0] != row.sha256:
-            yield row.path, "is not as it was written: its files have another hash"
+            yield row.path, "has changed since it was written: its files have another hash"
         else:
             yield from ((row.path, str(fault)) for fault in check(building))
             if redo is not None:
@@ -67,9 +67,9 @@ def _task_faults(record: Record, building: Path, redo: RedoTasks) -> Iterator[st
         yield f"has {counted(len(done), 'task')} in {TASKS}; its record says {row.tasks} and lists {len(record.tasks)}"
     for found, wanted in zip(done, record.tasks):
         if not found.success:
-            yield f"task {found.task.id}: its plan does not do it"
+            yield f"task {found.task.id}: its plan does not complete it"
         elif not _agrees(found, wanted, row):
-            yield f"task {found.task.id}: is not what its row says"
+            yield f"task {found.task.id}: differs from its row"
 
 
 def _agrees(found: DoneTask, wanted: TaskRow, row: BuildingRow) -> bool:
@@ -112,7 +112,7 @@ def _differences(file: Path, rows: Iterator[bytes]) -> Iterator[tuple[str, str]]
     with file.open("rb") as lines:
         for number, row in enumerate(rows, start=1):
             if lines.readline() != row + b"\n":
-                yield name, f"line {number} is not what the records say"
+                yield name, f"line {number} differs from the records"
                 return
         if lines.readline():
             yield name, "has more rows than there are records"

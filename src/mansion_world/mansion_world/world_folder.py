@@ -66,7 +66,7 @@ class WorldFolder:
         return read_payload(WorldIndex, self.path / _INDEX, "a folder that `mansion world make` wrote")
 
     def adopt(self, index: WorldIndex) -> None:
-        """Begin a world, or go on with one.
+        """Begin a world, or continue one.
 
         Raises
         ------
@@ -150,13 +150,13 @@ class WorldFolder:
         shutil.rmtree(self.path / record.building.path, ignore_errors=True)
 
     def set_aside(self, entry: SetAside) -> None:
-        """Keep a request that came to nothing, and remove what is left of it."""
+        """Record a request that was given up, and remove what is left of it."""
         request = entry.request
         write_atomic(self._aside_file(request.index, request.attempt), encode_bytes(entry, indent=1))
         self.discard(request.index, request.attempt)
 
     def set_aside_at(self, index: int, attempt: int) -> SetAside | None:
-        """Return what is kept of an attempt that came to nothing, ``None`` where it did not."""
+        """Return the record of an attempt that was given up, ``None`` where it was not."""
         return _read(SetAside, self._aside_file(index, attempt))
 
     def move_records(self, indices: Mapping[str, int]) -> None:

@@ -42,13 +42,13 @@ def test_a_drawer_that_goes_into_the_body_is_a_fault(cabinet: Asset) -> None:
 
 def test_an_axis_that_is_no_unit_vector_is_a_fault(cabinet: Asset) -> None:
     long = msgspec.structs.replace(cabinet.joints[0], axis=(0.0, 2.0, 0.0))
-    assert "no unit vector" in asset_faults(msgspec.structs.replace(cabinet, joints=(long,)))[0].message
+    assert "not a unit vector" in asset_faults(msgspec.structs.replace(cabinet, joints=(long,)))[0].message
 
 
 def test_a_joint_of_a_part_that_is_not_there_is_a_fault(cabinet: Asset) -> None:
     joint = JointRecord(part="lid_1", kind="hinge", axis=(1.0, 0.0, 0.0), origin=(0.0, 0.0, 0.0), travel=90.0)
     faults = asset_faults(msgspec.structs.replace(cabinet, joints=(*cabinet.joints, joint)))
-    assert any("lid_1, of which the mesh has nothing" in fault.message for fault in faults)
+    assert any("lid_1, but the mesh has no such part" in fault.message for fault in faults)
 
 
 def test_a_surface_out_of_the_box_and_an_absurd_size_are_faults(cabinet: Asset) -> None:
@@ -62,7 +62,7 @@ def test_a_piece_that_stands_out_of_its_part_is_a_fault(cabinet: Asset, tmp_path
     drawer = '{"part":"drawer_1","center":[0,0,0],"size":[0.1,0.1,0.1]}'
     pieces.write_text(f'[{{"center":[0,0,0],"size":[2,0.1,0.1]}},{drawer}]')
     faults = asset_faults(msgspec.structs.replace(cabinet, pieces=str(pieces)))
-    assert any("of the body (number 1) that stands out of it" in fault.message for fault in faults)
+    assert any("of the body (number 1) that protrudes from it" in fault.message for fault in faults)
 
 
 def test_a_record_that_cannot_be_read_is_a_fault_of_the_library(library: Path, tmp_path: Path) -> None:

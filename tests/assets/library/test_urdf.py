@@ -44,7 +44,7 @@ def test_a_hinge_becomes_a_door_in_degrees(tmp_path: Path) -> None:
         ("<sdf/>", "is not a URDF"),
         ("<robot><link name='a'/></robot>", "is empty"),
         (CABINET.replace("prismatic", "screw"), "of type 'screw'"),
-        (CABINET.replace('child link="tray"', 'child link="lid"'), "that is not there"),
+        (CABINET.replace('child link="tray"', 'child link="lid"'), "that does not exist"),
         (CABINET.replace('xyz="1 0 0"', 'xyz="0 0 0"'), "no direction"),
         (CABINET.replace("0.34 0.44 0.3", "0.34 inf 0.3"), "finite numbers"),
         (CABINET.replace('<box size="0.34 0.44 0.3"/>', '<mesh filename="../x.obj"/>'), "outside"),

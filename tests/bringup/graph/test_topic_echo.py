@@ -52,7 +52,7 @@ def test_a_topic_takes_the_type_and_quality_of_its_publishers(client: MansionCli
     found = find_topic(node, "notes")
     assert found is not None and found.qos.durability == "transient_local"
     assert "1 publisher; nothing has come yet" in silence(node, "notes")
-    assert "nobody publishes /mansion/note; did you mean /mansion/notes?" in silence(node, "note")
+    assert "no node publishes /mansion/note; did you mean /mansion/notes?" in silence(node, "note")
 
 
 def test_nobody_publishes_anything_where_no_graph_is() -> None:
@@ -86,7 +86,7 @@ def test_the_command_says_that_nobody_publishes_and_ends_at_its_timeout() -> Non
     )
     assert done.returncode == 1 and done.stdout == ""
     first, last = done.stderr.splitlines()
-    assert first.startswith("nobody publishes /mansion/nothing") and first.endswith("; waiting")
+    assert first.startswith("no node publishes /mansion/nothing") and first.endswith("; waiting")
     assert last.startswith("error: TIMEOUT: no message on nothing in 3 s")
 
 

@@ -46,7 +46,9 @@ def test_parts_that_are_not_wanted_are_told_as_such(text: str, names: list[str])
     assert facts.unread == []
 
 
-@pytest.mark.parametrize("text", ["A house with no windows in the study", "A flat, no pets, two bedrooms"])
+@pytest.mark.parametrize(
+    "text", ["A house with no windows in the study", "A flat, no steps, two bedrooms, two storeys"]
+)
 def test_what_no_plan_can_be_checked_for_stays_unread(text: str) -> None:
     facts = read_brief(text, default_knowledge())
     assert facts.excluded == []
@@ -100,3 +102,15 @@ def test_what_a_room_does_not_need_is_no_room_left_out() -> None:
     facts = read_brief("A house. The kitchen don't need a window.", default_knowledge())
     assert not facts.excluded
     assert [room.room_type for room in facts.rooms] == ["kitchen"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A flat, no pets, two bedrooms",
+        "A ferry terminal with a bar, no anchors on the walls.",
+        "A bar. Escalator not required.",
+    ],
+)
+def test_what_no_building_has_is_refused_without_a_word(text: str) -> None:
+    assert read_brief(text, default_knowledge()).unread == []

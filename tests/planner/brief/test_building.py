@@ -37,7 +37,7 @@ def test_a_bar_of_a_hotel_is_a_room() -> None:
 
 @pytest.mark.parametrize("words", ["1970s motel", "motel in seventies style", "60s motel"])
 def test_a_decade_is_a_style(words: str) -> None:
-    assert [name for name, _ in read(f"A {words} with ten rooms").styles] == ["mid_century"]
+    assert [name for name, _ in read(f"A {words} with ten rooms").styles] == ["retro"]
 
 
 @pytest.mark.parametrize("words", ["from the 1960s", "of the fifties"])

@@ -33,7 +33,7 @@ def test_what_people_tell_of_themselves_asks_for_nothing(text: str) -> None:
     ("text", "told"),
     [
         ("A fire station. A sliding pole would be cool.", "sliding pole"),
-        ("A house with a cloakroom at the entrance.", "entrance"),
+        ("A house with a cloakroom at the front.", "front"),
         ("A bedroom looking onto the garden of a house.", "looking"),
         ("A gym with a wall that moves.", "moves"),
     ],

@@ -64,3 +64,16 @@ def test_a_lift_of_each_bay_raises_cars() -> None:
 
 def test_a_hall_for_many_is_one_to_meet_in() -> None:
     assert read("A community centre with a hall for 120 people.").rooms[0].room_type == "assembly_hall"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "3 bedrooms (master 18 m2, other two 12 m2)",
+        "3 bedrooms: master 18 m2, the others 12 m2",
+        "3 bedrooms - master 18 m2, two others 12 m2",
+    ],
+)
+def test_the_others_have_the_last_area(words: str) -> None:
+    rooms = read_brief(f"A house with {words}.", default_knowledge()).rooms
+    assert [(fact.name, fact.count, fact.area) for fact in rooms] == [("master_bedroom", 1, 18.0), ("bedroom", 2, 12.0)]

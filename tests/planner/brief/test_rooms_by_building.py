@@ -22,11 +22,15 @@ def rooms(brief: str) -> dict[str, tuple[str, bool]]:
         ("A newspaper office with a newsroom. On top a studio for podcasts.", "studio", "recording_studio", True),
         ("A university with a lab and a student room where 18 desks are.", "student_room", "study_room", False),
         ("A dormitory with 20 student rooms and a kitchen.", "student_room", "dorm_room", True),
-        ("A birth centre with a waiting room and a midwives' station.", "midwive_station", "nurse_station", False),
+        ("A birth centre with a waiting room and a midwives' station.", "midwife_station", "nurse_station", False),
         ("A nursing home with a staff station and a laundry.", "staff_station", "nurse_station", True),
         ("A school with a library and an informatics laboratory.", "informatic_laboratory", "computer_lab", True),
         ("A hospital with a pharmacy and a reception hall.", "reception_hall", "lobby", True),
         ("A house with a kitchen and a downstairs loo.", "loo", "toilet", True),
+        ("A university lab with a gowning room and an etching bay.", "etching_bay", "laboratory", True),
+        ("A car workshop with a waiting room and a repair bay.", "repair_bay", "car_workshop", True),
+        ("A school with a wood shop and four classrooms.", "wood_shop", "workshop", True),
+        ("A stud farm with a riding hall and twelve horse boxes.", "horse_box", "stable", True),
     ],
 )
 def test_the_building_tells_what_a_room_is(brief: str, name: str, room_type: str, known: bool) -> None:

@@ -6,7 +6,7 @@ import pytest
 from mansion_msgs_py.placement import PlacementResult, PlacementRoom
 from mansion_scene.placement import place_room
 from mansion_scene.placement.evaluation import Footprint, measure
-from mansion_scene.placement.runs import run_orders
+from mansion_scene.placement.kitchen_runs import run_orders
 from placement_rooms import item, rectangle, room
 
 SEEDS = range(4)

@@ -128,5 +128,5 @@ def test_a_window_stays_clear_of_an_outer_door_and_of_the_ceiling() -> None:
 def test_a_door_off_the_walls_is_refused() -> None:
     with pytest.raises(MansionError, match="lies on no wall between F1/hall and F1/garage"):
         built(GivenOpenings(doors=[GivenDoor(rooms=("hall", "garage"), segment=((3.0, 1.0), (4.0, 1.0)))], windows=[]))
-    with pytest.raises(MansionError, match="'cellar', which the floor has not"):
+    with pytest.raises(MansionError, match="'cellar', which the floor does not have"):
         built(GivenOpenings(doors=[GivenDoor(rooms=("hall", "cellar"))], windows=[]))

@@ -36,7 +36,7 @@ def test_where_nothing_can_render_a_building_is_seen_without_pictures(
     building: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def unavailable(*_: object) -> None:
-        raise MansionError(ErrorCode.UNAVAILABLE, "no OpenGL that renders offscreen")
+        raise MansionError(ErrorCode.UNAVAILABLE, "no OpenGL library here can render offscreen")
 
     monkeypatch.setattr(vision, "Camera", unavailable)
     with episode_folder(building) as folder, CameraPictures() as pictures:

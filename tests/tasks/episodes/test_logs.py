@@ -45,7 +45,7 @@ def with_end(log: EpisodeLog, **changes: object) -> EpisodeLog:
         (lambda log: with_step(log, 2, call=call("GoNearObject", object="F1/office/lamp_1")), "step 4, PickUp"),
         (lambda log: msgspec.structs.replace(log, steps=log.steps[:-1]), "success is False"),
         (lambda log: with_end(log, retrieval=0.25), "retrieval and navigation"),
-        (lambda log: with_end(log, digest="0"), "the world at the end"),
+        (lambda log: with_end(log, digest="0"), "the world differs at the end"),
         (lambda log: with_step(log, 0, status=SkillStatus.CANCELED), "step 1, GoToLandmark"),
     ],
 )

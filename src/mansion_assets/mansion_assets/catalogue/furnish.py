@@ -165,27 +165,18 @@ def furnish_request(
     compact : bool
         Whether the smallest assets are taken for it.
     beside : collection of str
-        Types of the other rooms of the floor, which have some things in this one's stead.
+        Types of the other rooms of the floor, which hold some things instead of this one.
 
     Notes
     -----
     Items are taken in the order of the program until floor objects cover its share of the room (`cover`), less in rooms
     below 12 m2; what does not fit the share gets fewer copies, or a smaller asset, or is left out.
     """
-    card = catalogue.room_program(room_type)
-    if items is not None:
-        card = msgspec.structs.replace(card, floor=tuple(items))
-    if beside:
-        card = msgspec.structs.replace(
-            card, floor=tuple(item for item in card.floor if not _had_elsewhere(item, beside))
-        )
-    rng = item_generator(seed, "furnish", room_id, card.room_type)
     counts = asked_counts(requested)
-    asked = (
-        with_requested(catalogue, card, counts, area, {r.category for r in requested if r.exact})
-        if counts
-        else AskedProgram(card=card)
-    )
+    card = _usual_program(catalogue, room_type, items, beside)
+    rng = item_generator(seed, "furnish", room_id, card.room_type)
+    exact = {wanted.category for wanted in requested if wanted.exact}
+    asked = with_requested(catalogue, card, counts, area, exact) if counts else AskedProgram(card=card)
     card = asked.card
     draft = _Draft(catalogue, asked, area, extent, rng, _Style(seed, style), compact=compact)
     draft.wanted_looks = {r.category: r.words.split() for r in requested if r.words}
@@ -205,6 +196,19 @@ def furnish_request(
         small=without_small(_arrangements(catalogue, card), [c for c, count in counts.items() if not count]),
         asked=draft.first,
     )
+
+
+def _usual_program(
+    catalogue: Catalogue, room_type: str, items: Sequence[Item] | None, beside: Collection[str]
+) -> RoomProgramCard:
+    """Return what a room of a type gets unasked, without what rooms beside it hold instead."""
+    card = catalogue.room_program(room_type)
+    if items is not None:
+        card = msgspec.structs.replace(card, floor=tuple(items))
+    if beside:
+        kept = tuple(item for item in card.floor if not _had_elsewhere(item, beside))
+        card = msgspec.structs.replace(card, floor=kept)
+    return card
 
 
 def _had_elsewhere(item: Item, beside: Collection[str]) -> bool:

@@ -160,7 +160,7 @@ class Item(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     matrix, paired
         Structural constraint; without either each copy stands on its own.
     unless : str or list of str
-        Room types that have it in the room's stead where the floor has one.
+        Room types that have it instead of this room where the floor has one.
     """
 
     name: Snake

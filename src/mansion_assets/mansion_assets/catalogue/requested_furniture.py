@@ -113,7 +113,7 @@ def _only(category: str | list[str], requested: str) -> list[str]:
 
 
 def _same_noun(category: str, requested: str) -> bool:
-    """Tell whether a category is of one kind with another and called by its noun: a lounge chair for a chair.
+    """Tell whether a category is of the same kind as another and called by its noun: a lounge chair for a chair.
 
     A wall shelf unit is a shelf as a bookshelf is one, and a café table a table as a round table is one.
     """

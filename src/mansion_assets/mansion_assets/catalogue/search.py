@@ -56,7 +56,7 @@ def search_assets(catalogue: Catalogue, query: str, top_k: int = 5, properties: 
 
     Notes
     -----
-    The first hits come from different categories where several fit about as well; further variants follow. Of a
+    The first hits come from different categories where several fit about as well; further variants follow. Within a
     category's variants those come first that the query's colours and materials fit, then those that are preferred.
 
     Raises

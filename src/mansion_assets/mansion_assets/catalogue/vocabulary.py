@@ -54,6 +54,10 @@ def named_variants(catalogue: Catalogue, category: str) -> list[Asset]:
     return [first, *(asset for asset in others if asset.record)]
 
 
+_MOST_RANKS = 65536
+"""Ranks that a vocabulary remembers at most."""
+
+
 class Vocabulary:
     """The names and synonyms of the catalogue's categories.
 
@@ -67,6 +71,8 @@ class Vocabulary:
         self._synonyms: dict[tuple[str, ...], dict[str, None]] = {}
         self._memory: dict[tuple[str, ...], frozenset[str]] = {}
         self.categories = catalogue.categories
+        self._words_of = {name: frozenset(stems(name.replace("_", " "))) for name in catalogue.categories}
+        self._ranks: dict[tuple[str, str, str], int] = {}
         for category in catalogue.categories:
             self._names.setdefault(stems(category.replace("_", " ")), {})[category] = None
             for asset in named_variants(catalogue, category):
@@ -108,7 +114,7 @@ class Vocabulary:
     def containing(self, words: tuple[str, ...]) -> list[str]:
         """Return the categories whose name has all of these words."""
         wanted = set(words)
-        return [c for c in self.categories if wanted and wanted <= set(stems(c.replace("_", " ")))]
+        return [name for name, own in self._words_of.items() if wanted and wanted <= own]
 
     def nouns(self, text: str) -> list[str]:
         """Return the categories that a noun names: by name, synonym or general word, or by the end of the name."""
@@ -122,13 +128,21 @@ class Vocabulary:
         3 by name, 2 by synonym or the end of the name (``desk`` of an office desk), 1 by another part of it (a desk
         phone), 0 not at all.
         """
+        key = (item.category, item.name, text)
+        if key not in self._ranks:
+            if len(self._ranks) > _MOST_RANKS:
+                self._ranks.clear()
+            self._ranks[key] = self._rank(item.category, item.name, text)
+        return self._ranks[key]
+
+    def _rank(self, category: str, name: str, text: str) -> int:
         words = _without_colours(stems(text))
         if not words:
             return 0
-        names = (stems(item.category.replace("_", " ")), stems(item.name))
+        names = (stems(category.replace("_", " ")), stems(name))
         if words in names:
             return 3
-        if item.category in self._meant(words):
+        if category in self._meant(words):
             return 2
         fits = [name for name in names if set(words) <= set(name)]
         return max((2 if name[-1] in words else 1 for name in fits), default=0)

@@ -1,4 +1,4 @@
-"""Add models to a library, one after another; a broken one does not stop the rest."""
+"""Add models to a library one by one; a broken one does not stop the rest."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -80,7 +80,7 @@ def models_below(path: Path) -> list[Path]:
 
 
 def _names_of_meshes(urdf: Path) -> frozenset[str]:
-    """Return the names of the mesh files that a URDF speaks of, without their folders."""
+    """Return the names of the mesh files that a URDF refers to, without their folders."""
     try:
         text = urdf.read_text(errors="replace")
     except OSError:

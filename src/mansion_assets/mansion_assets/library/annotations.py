@@ -92,7 +92,7 @@ class Annotations:
         Raises
         ------
         MansionError
-            ``INVALID_PAYLOAD`` for annotations that are no JSON, or have numbers that are none.
+            ``INVALID_PAYLOAD`` for annotations that are not JSON, or have invalid numbers.
         """
         for file in self._candidates(model):
             found = _entry(self._read(file), (model.stem, model.parent.name), alone=self._is_alone(file, model))
@@ -107,7 +107,7 @@ class Annotations:
         return file.stem.split(".")[0] == model.stem or file.parent == model.parent
 
     def _candidates(self, model: Path) -> Iterator[Path]:
-        """Yield the files that may speak of a model, the nearest first."""
+        """Yield the files that may describe a model, the nearest first."""
         for ending in (".json", ".json.gz"):
             yield from filter(Path.is_file, [model.with_name(f"{model.stem}{ending}")])
         folder = model.parent
@@ -133,7 +133,7 @@ class Annotations:
 
 
 def _entry(document: Any, names: tuple[str, ...], *, alone: bool) -> Mapping[str, Any] | None:
-    """Return the object of a document that speaks of the model with one of these names."""
+    """Return the object of a document that describes the model with one of these names."""
     if isinstance(document, list):
         document = {"": document}
     if not isinstance(document, Mapping):

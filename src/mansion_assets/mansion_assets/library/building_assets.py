@@ -81,7 +81,7 @@ def asset_files(assets: Iterable[Asset], building: Path | None = None) -> dict[s
             continue
         record = read_payload(AssetRecord, Path(asset.record), "the record of an asset")
         if record.key != asset.key:
-            raise MansionError(ErrorCode.CONFLICT, f"{asset.record} is of another asset than {asset.key!r} by now")
+            raise MansionError(ErrorCode.CONFLICT, f"{asset.record} now belongs to another asset than {asset.key!r}")
         glb, pieces = (f"{asset.key}.glb", f"{asset.key}{PIECES}")
         for name, file in ((glb, asset.glb), (pieces, asset.pieces)):
             if file is not None:

@@ -94,7 +94,7 @@ def _hulls(vertices: Floats, faces: Ints, size: Size3, free: Sequence[Box]) -> l
 
 
 def _is_convex(body: Any) -> bool:
-    """Whether a mesh is closed, of a size worth a look, and has no vertex outside the plane of a face."""
+    """Whether a mesh is closed, of a size worth the test, and has no vertex outside the plane of a face."""
     if len(body.faces) > _MOST_FACES or not body.is_watertight:
         return False
     beyond = np.einsum("vfi,fi->vf", body.vertices[:, None] - body.triangles[None, :, 0], body.face_normals)

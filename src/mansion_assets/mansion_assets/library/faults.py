@@ -63,7 +63,7 @@ def library_faults(folder: Path) -> Iterator[AssetFault]:
     try:
         assets = [asset for asset in load_catalogue([folder]).assets.values() if asset.record]
     except MansionError as error:
-        yield AssetFault(folder.name, f"is read by no catalogue: {error.info.message}")
+        yield AssetFault(folder.name, f"cannot be read by a catalogue: {error.info.message}")
         return
     for asset in assets:
         yield from asset_faults(asset)
@@ -81,7 +81,7 @@ def _file_faults(file: Path, record: AssetRecord) -> Iterator[str]:
     if missing:
         yield f"has no file {', '.join(missing)}"
     elif record.sha256 and content_hash(*(path.read_bytes() for path in named)) != record.sha256:
-        yield "has a mesh or pieces that are not those it was added with: its sha256 differs"
+        yield "has a mesh or pieces that have changed since it was added: its sha256 differs"
 
 
 def asset_faults(asset: Asset) -> list[AssetFault]:
@@ -114,12 +114,12 @@ def _mesh_faults(asset: Asset, rigid: Sequence[Link]) -> Iterator[str]:
     for link in rigid:
         where = link.name or "the body"
         if not link.parts and link.joint is not None:
-            yield f"has a joint of {where}, of which the mesh has nothing"
+            yield f"has a joint of {where}, but the mesh has no such part"
         for part in link.parts:
             if not np.isfinite(part.vertices).all():
-                yield f"has vertices that are not finite in {where}"
+                yield f"has vertices in {where} that are not finite"
             elif len(part.faces) and (part.faces.min() < 0 or part.faces.max() >= len(part.vertices)):
-                yield f"has faces of vertices that are not there in {where}"
+                yield f"has faces in {where} that refer to missing vertices"
 
 
 def _piece_faults(asset: Asset, rigid: Sequence[Link]) -> Iterator[str]:
@@ -131,23 +131,23 @@ def _piece_faults(asset: Asset, rigid: Sequence[Link]) -> Iterator[str]:
         points = np.concatenate([part.vertices for part in link.parts])
         low, high = points.min(axis=0) - slack, points.max(axis=0) + slack
         if not link.pieces:
-            yield f"has nothing that collides for {where}"
+            yield f"has no collision piece for {where}"
         for number, piece in enumerate(link.pieces):
             corners = _corners(piece)
             if not np.isfinite(corners).all() or volume_of(piece) <= 0.0:
-                yield f"has a piece of {where} (number {number + 1}) that is no body"
+                yield f"has a piece of {where} (number {number + 1}) that is not a solid body"
             elif (corners < low).any() or (corners > high).any():
                 beyond = float(max((low - corners).max(), (corners - high).max())) + slack
-                yield f"has a piece of {where} (number {number + 1}) that stands out of it by {beyond * 1000:.0f} mm"
+                yield f"has a piece of {where} (number {number + 1}) that protrudes from it by {beyond * 1000:.0f} mm"
 
 
 def _joint_faults(asset: Asset, rigid: Sequence[Link]) -> Iterator[str]:
-    """Yield joints that are none, and parts that pass through others on their way from closed to open."""
+    """Yield invalid joints, and parts that pass through others on their way from closed to open."""
     for link in rigid:
         if link.joint is None:
             continue
         if abs(float(np.linalg.norm(link.joint.axis)) - 1.0) > _UNIT:
-            yield f"has a joint of {link.name} whose axis is no unit vector"
+            yield f"has a joint of {link.name} whose axis is not a unit vector"
             continue
         points = np.concatenate([part.vertices for part in link.parts])
         points = points[:: max(1, len(points) // _MOST_POINTS)]

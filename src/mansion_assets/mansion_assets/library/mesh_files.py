@@ -135,7 +135,7 @@ def _named_by(data: bytes, keywords: tuple[bytes, ...]) -> list[str]:
 
 def _json_chunk(data: bytes) -> bytes:
     if data[:4] != b"glTF":
-        raise ValueError("it is no binary glTF")
+        raise ValueError("it is not a binary glTF file")
     length = int.from_bytes(data[12:16], "little")
     if data[16:20] != b"JSON" or 20 + length > len(data):
         raise ValueError("its JSON is cut off")

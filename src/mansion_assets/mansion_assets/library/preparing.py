@@ -195,7 +195,7 @@ def _turned(
     if annotation is not None and annotation.turn is not None:
         facts.add(f"front: turned by {annotation.turn:.0f} degrees by {annotation.source}", stated=True)
         return model.turned(annotation.turn)
-    facts.add(f"front: {model.front or 'taken to be where glTF has it'}", stated=False)
+    facts.add(f"front: {model.front or 'assumed to be where glTF has it'}", stated=False)
     return model
 
 

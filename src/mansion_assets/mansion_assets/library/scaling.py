@@ -59,7 +59,7 @@ def sizing(extent: Floats, annotation: Annotation | None, alike: Sequence[Asset]
         for unit, name in _UNITS:
             if low <= longest * unit <= high:
                 return Sizing(unit, f"{found}: the file's units as {name}", stated=False)
-    known = "usual for its category" if alike else "for want of anything known"
+    known = "usual for its category" if alike else "as nothing else is known"
     return Sizing(usual / longest, f"{found}: scaled to {usual:.3g} m, {known}", stated=False)
 
 

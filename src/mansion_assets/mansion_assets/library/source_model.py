@@ -70,7 +70,7 @@ class SourceModel:
     mass : float, optional
         Kilograms.
     notes : tuple of str
-        What of the file was not taken, or was taken otherwise.
+        Parts of the file that were left out or changed.
     """
 
     name: str

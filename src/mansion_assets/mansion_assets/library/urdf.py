@@ -72,7 +72,7 @@ def read_urdf(path: Path, root: Path | None = None) -> SourceModel:
     ------
     MansionError
         ``NOT_FOUND`` and ``INVALID_PAYLOAD`` as `read_model`; and for what is no URDF, for links that hang on each
-        other, for numbers that are none.
+        other, for invalid numbers.
     """
     try:
         tree = ElementTree.fromstring(path.read_bytes())
@@ -89,10 +89,10 @@ def read_urdf(path: Path, root: Path | None = None) -> SourceModel:
     for joint in joints.values():
         for link in (joint.parent, joint.child):
             if link not in links:
-                raise _refused(path, f"has a joint {joint.name!r} of a link {link!r} that is not there")
+                raise _refused(path, f"has a joint {joint.name!r} with a link {link!r} that does not exist")
     parts = _parts(robot)
     if not any(part.surfaces for part in parts):
-        raise _refused(path, "is empty: no link has a triangle to be seen")
+        raise _refused(path, "is empty: no link has a visible triangle")
     model = SourceModel(tree.get("name") or path.stem, tuple(parts), mass=_mass(path, tree), notes=tuple(robot.notes))
     return _facing_front(model)
 
@@ -147,7 +147,7 @@ def _placed(robot: _Robot, link: str) -> tuple[Floats, Joint | None, str]:
         chain.append(robot.joints[name])
         name = robot.joints[name].parent
         if len(chain) > len(robot.joints):
-            raise _refused(robot.path, f"has links that hang on each other: {link!r}")
+            raise _refused(robot.path, f"has links that form a loop: {link!r}")
     pose = np.eye(4)
     moving: Joint | None = None
     part = ""

@@ -1,3 +1,3 @@
-"""Parametric mesh recipes, one module for each family of objects."""
+"""Parametric mesh recipes, one module for each kind of thing."""
 
 __all__: list[str] = []

@@ -1,5 +1,6 @@
-"""Beds: at home, bunks, cots, loungers, hospital, examination and operating tables."""
+"""Beds: at home, bunks, cots, loungers, hospital, examination and operating tables, stretchers."""
 
+import math
 from typing import Any
 
 from mansion_assets.builder import Builder
@@ -37,7 +38,7 @@ def _mattress(b: Builder, z: float, low: float, pillows: int, sheet: str, inset:
         )
 
 
-@receptacles("bed")
+@receptacles("bed", "stretcher")
 def _mattresses(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     tiers = int(p.get("tiers", 2 if h > 1.5 else 1))
@@ -155,30 +156,74 @@ def _crib_sides(b: Builder, low: float, frame: str) -> None:
             b.rod((x, y, low), (x, y, h - 0.02), 0.007, frame, "bars", 6)
 
 
-@receptacles("pet_bed")
-def _pet_cushion(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
-    """Return the cushion within the ring."""
-    w, d, h = size
-    return [surface("mattress", (-w * 0.36, w * 0.36, -d * 0.36, d * 0.36), h * 0.5)]
+@recipe("stretcher")
+def stretcher(b: Builder) -> None:
+    """An ambulance's stretcher: a thin mattress with straps and a raised back rest on crossed legs with castors."""
+    w, d = b.w, b.d
+    z, yellow = b.tops[0].z, "paint_f2b90f"
+    hip, side = b.tops[0].y0, w / 2 - 0.05
+    for sx in (-1, 1):
+        x = sx * side
+        b.rod((x, -d / 2 + 0.02, z - 0.1), (x, d / 2 - 0.02, z - 0.1), 0.022, yellow, "frame")
+        b.rod((x, -d * 0.4, 0.19), (x, d * 0.4, 0.19), 0.018, yellow, "frame")
+        for start, end in ((-0.34, 0.34), (0.34, -0.34)):
+            b.rod((x, d * start, 0.19), (x, d * end, z - 0.1), 0.02, b.mat("frame"), "legs")
+        for y in (-d * 0.4, d * 0.4):
+            b.rod((x, y, 0.19), (x, y, 0.09), 0.014, b.mat("frame"), "forks")
+            b.rod((x - 0.02, y, 0.09), (x + 0.02, y, 0.09), 0.09, "rubber_black", "wheels", 16)
+            b.rod((x - 0.022, y, 0.09), (x + 0.022, y, 0.09), 0.045, "metal_light", "wheels", 12)
+    for y in (-d / 2 + 0.02, 0.0, d / 2 - 0.02):
+        b.rod((-side, y, z - 0.1), (side, y, z - 0.1), 0.02, yellow, "frame")
+    b.box((-w * 0.42, w * 0.42), (hip, d / 2 - 0.06), (z - 0.08, z), b.mat(), "mattress")
+    _back_rest(b, hip, z)
+    for y in (hip + 0.2, d * 0.08, d * 0.32):
+        b.box(
+            (-w * 0.44, w * 0.44), (y - 0.03, y + 0.03), (z - 0.09, z + 0.006), "fabric_e8501e", "straps", solid=False
+        )
+        b.box((-0.05, 0.05), (y - 0.04, y + 0.04), (z + 0.004, z + 0.014), "metal_chrome", "buckles", solid=False)
+    _drop_rails(b, hip, z)
 
 
-@recipe("pillow")
-def pillow(b: Builder) -> None:
-    """A cushion, thick in the middle."""
-    b.cushion((-b.w / 2, b.w / 2), (-b.d / 2, b.d / 2), (0, b.h), b.mat(), "pillow", 0.95, 16)
-
-
-@recipe("textile")
-def textile(b: Builder) -> None:
-    """Cloth that hangs in folds, or lies folded in a stack."""
+def _back_rest(b: Builder, hip: float, z: float) -> None:
+    """The part of the mattress that is raised from the hip to the head, with a pillow and a strap."""
     w, d, h = b.w, b.d, b.h
-    main = b.mat()
-    if b.p.get("style") == "stack":
-        count = max(2, round(h / 0.05))
-        for k in range(count):
-            color = main if k % 2 == 0 else "fabric_light"
-            b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (h * k / count, h * (k + 1) / count), color, "folds", 0.8, 8)
-        return
-    for k in range(5):
-        x0 = -w / 2 + k * w / 5
-        b.cushion((x0, x0 + w / 5), (-d / 2, d / 2), (0, h), main, "cloth", 0.9, 8)
+    low, high = (hip, z), (-d / 2 + 0.09, h)
+    long = math.dist(low, high)
+    back, up = (
+        (-(high[1] - low[1]) / long, (high[0] - low[0]) / long),
+        ((high[0] - low[0]) / long, (high[1] - low[1]) / long),
+    )
+
+    def slab(v: tuple[float, float], out: tuple[float, float]) -> list[tuple[float, float]]:
+        corners = ((v[0], out[0]), (v[1], out[0]), (v[1], out[1]), (v[0], out[1]))
+        return [(low[0] + s * up[0] + t * back[0], low[1] + s * up[1] + t * back[1]) for s, t in corners]
+
+    b.prism(slab((0.0, long * 0.985), (0.0, 0.08)), (-w * 0.42, w * 0.42), b.mat(), part="mattress")
+    b.prism(slab((long * 0.6, long * 0.95), (-0.05, 0.0)), (-w * 0.3, w * 0.3), "fabric_white", part="pillow")
+    b.prism(slab((long * 0.3, long * 0.42), (-0.008, 0.09)), (-w * 0.44, w * 0.44), "fabric_e8501e", part="straps")
+
+
+def _drop_rails(b: Builder, hip: float, z: float) -> None:
+    """Rails along the middle of both sides that fold down, and a bar to push at the foot."""
+    w, d = b.w, b.d
+    for sx in (-1, 1):
+        x, ends = sx * (w / 2 - 0.012), (hip + 0.1, d * 0.24)
+        hoop = [
+            (x, ends[0], z - 0.1),
+            (x, ends[0] + 0.08, z + 0.17),
+            (x, ends[1] - 0.08, z + 0.17),
+            (x, ends[1], z - 0.1),
+        ]
+        b.path(hoop, 0.012, "metal_chrome", "rails")
+        b.rod((x, ends[0] + 0.04, z + 0.04), (x, ends[1] - 0.04, z + 0.04), 0.009, "metal_chrome", "rails")
+        for k in (1, 2):
+            y = ends[0] + k * (ends[1] - ends[0]) / 3
+            b.rod((x, y, z - 0.1), (x, y, z + 0.17), 0.009, "metal_chrome", "rails")
+    foot = d / 2 - 0.014
+    bar = [
+        (-w * 0.36, foot - 0.02, z - 0.1),
+        (-w * 0.36, foot, z + 0.06),
+        (w * 0.36, foot, z + 0.06),
+        (w * 0.36, foot - 0.02, z - 0.1),
+    ]
+    b.path(bar, 0.014, "rubber_black", "push_bar")

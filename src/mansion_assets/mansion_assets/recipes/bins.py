@@ -191,3 +191,41 @@ def _tray(b: Builder, fill: str, z: float, depth: float) -> None:
                 b.cushion(x, y, (z - 0.02, z + depth * 0.75), color, "goods", 0.95, 8, solid=False)
             else:
                 b.box(x, y, (z, z + depth * (0.45 + 0.1 * ((i + j) % 3))), color, "goods", solid=False)
+
+
+@recipe("rubbish_sack")
+def rubbish_sack(b: Builder) -> None:
+    """A full black sack with bulges and creases, tied below two floppy ears with a yellow ribbon."""
+    w, d, h = b.w, b.d, b.h
+    skin = "plastic_2f3136" if b.mat() == "plastic_black" else b.mat()
+    b.ball((0, 0, h * 0.34), (w * 0.46, d * 0.46, h * 0.34), skin, "sack", 18)
+    for k in range(9):
+        a, z = k * 2.4, h * (0.16 + 0.05 * (k % 5))
+        b.ball((math.cos(a) * w * 0.28, math.sin(a) * d * 0.28, z), (w * 0.21, d * 0.21, h * 0.16), skin, "bulges", 10)
+    b.lathe([(0.3, h * 0.55), (0.08, h * 0.76), (0.06, h * 0.8)], skin, stretch=(w, d), part="neck", n=12)
+    for k in range(10):
+        a = k * math.tau / 10
+        b.rod(
+            (math.cos(a) * w * 0.36, math.sin(a) * d * 0.36, h * 0.5),
+            (math.cos(a) * w * 0.06, math.sin(a) * d * 0.06, h * 0.78),
+            w * 0.014,
+            "plastic_dark",
+            "creases",
+            5,
+        )
+    b.lathe([(0.075, h * 0.77), (0.075, h * 0.81)], "paint_yellow", stretch=(w, d), part="ribbon", n=12)
+    b.path(
+        [(w * 0.06, d * 0.04, h * 0.79), (w * 0.16, d * 0.14, h * 0.7), (w * 0.14, d * 0.2, h * 0.6)],
+        w * 0.016,
+        "paint_yellow",
+        "ribbon",
+    )
+    for side in (-1, 1):
+        ear = [
+            (side * w * 0.01, h * 0.8),
+            (side * w * 0.06, h * 0.8),
+            (side * w * 0.26, h * 0.96),
+            (side * w * 0.18, h),
+            (side * w * 0.08, h * 0.96),
+        ]
+        b.prism(ear, (-d * 0.04, d * 0.04), skin, "y", "ears")

@@ -1,4 +1,4 @@
-"""Box-shaped objects, told apart by what is on or in them."""
+"""Boxes and box-shaped objects: cartons, parcels, cases, loudspeakers, pads."""
 
 from mansion_assets.builder import Builder
 from mansion_assets.registry import Recipe, recipe
@@ -182,3 +182,35 @@ _BLOCKS: dict[str, Recipe] = {
     "pad": _pad,
     "speaker": _speaker,
 }
+
+
+@recipe("package")
+def package(b: Builder) -> None:
+    """A carton closed with tape over its top and front, with an address label and a bar code on it."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h), "paper_c39a62", "carton")
+    b.box((-w / 2, w / 2), (-d * 0.008, d * 0.008), (h, h + 0.0006), "paper_brown", "seam", solid=False)
+    b.box((-w / 2, w / 2), (-d * 0.09, d * 0.09), (h, h + 0.0004), "plastic_e6cf9f", "tape", solid=False)
+    for side in (-1, 1):
+        ends = sorted((side * w / 2, side * (w / 2 + 0.0006)))
+        b.box((ends[0], ends[1]), (-d * 0.09, d * 0.09), (h * 0.6, h), "plastic_e6cf9f", "tape", solid=False)
+    b.box((-w * 0.38, w * 0.1), (d / 2, d / 2 + 0.0006), (h * 0.28, h * 0.84), "paper_white", "label", solid=False)
+    for k, high in enumerate((0.74, 0.66, 0.58)):
+        b.box(
+            (-w * 0.34, -w * 0.04 * (k + 1)),
+            (d / 2, d / 2 + 0.001),
+            (h * high, h * (high + 0.03)),
+            "plastic_black",
+            "address",
+            solid=False,
+        )
+    for k in range(9):
+        x = -w * 0.34 + k * w * 0.044
+        b.box(
+            (x, x + w * (0.01 + 0.012 * (k % 2))),
+            (d / 2, d / 2 + 0.001),
+            (h * 0.33, h * 0.5),
+            "plastic_black",
+            "bar_code",
+            solid=False,
+        )

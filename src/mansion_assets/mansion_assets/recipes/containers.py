@@ -1,11 +1,10 @@
-"""Turned bodies: bottles, cups, jars, pans, racks of tubes."""
+"""Round containers by the name of their profile: bottles, cups, jars; bowls of fruit."""
 
-from typing import Any
+import math
 
 from mansion_assets.builder import Builder
-from mansion_assets.catalogue.receptacles import Receptacle, surface
-from mansion_assets.registry import receptacles, recipe
-from mansion_msgs_py.shapes import Size3
+from mansion_assets.drawn_faces import DrawnFace
+from mansion_assets.registry import recipe
 
 __all__: list[str] = []
 
@@ -111,50 +110,6 @@ def lathe(b: Builder) -> None:
             )
 
 
-@recipe("mug")
-def mug(b: Builder) -> None:
-    """Cup with a handle on its right."""
-    r = b.d / 2
-    x = -b.w / 2 + r
-    b.lathe([(r * 0.9, 0), (r, 0.01), (r, b.h), (r * 0.88, b.h), (r * 0.85, 0.012)], b.mat(), (x, 0))
-    edge, out = x + r * 0.95, b.w / 2 - 0.006
-    b.path(
-        [(edge, 0, b.h * 0.22), (out, 0, b.h * 0.3), (out, 0, b.h * 0.7), (edge, 0, b.h * 0.8)],
-        0.006,
-        b.mat(),
-        "handle",
-    )
-
-
-@receptacles("plate")
-def _plate_face(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
-    w, d, h = size
-    return [surface("top", (-w * 0.3, w * 0.3, -d * 0.3, d * 0.3), h * 0.4, 0.3, round_=True)]
-
-
-@recipe("plate")
-def plate(b: Builder) -> None:
-    """Flat dish with a rim."""
-    h = b.h
-    b.lathe([(0.28, 0), (0.3, h * 0.2), (0.5, h * 0.92), (0.49, h), (0.32, h * 0.4)], b.mat(), n=28, stretch=(b.w, b.d))
-
-
-@recipe("pan")
-def pan(b: Builder) -> None:
-    """Frying pan, its handle to the back."""
-    r = min(b.w / 2, b.d * 0.34)
-    y = b.d / 2 - r
-    sx = b.w / 2 / r
-    b.lathe(
-        [(r * 0.8, 0), (r, b.h * 0.85), (r * 0.96, b.h * 0.85), (r * 0.78, b.h * 0.12)],
-        b.mat(),
-        (0, y),
-        n=24,
-        stretch=(sx, 1.0),
-    )
-    b.box((-0.012, 0.012), (-b.d / 2, y - r * 0.95), (b.h * 0.6, b.h), "plastic_black", "handle")
-
-
 @recipe("fruit_bowl")
 def fruit_bowl(b: Builder) -> None:
     """Bowl heaped with fruit."""
@@ -174,40 +129,88 @@ def fruit_bowl(b: Builder) -> None:
     b.ball((0, 0, b.h - r), (r, r, r), "food_yellow", "fruit", 10, solid=False)
 
 
-@recipe("pen_cup")
-def pen_cup(b: Builder) -> None:
-    """Cup with pens."""
-    low = b.h * 0.55
-    b.lathe([(0.48, 0), (0.5, low), (0.45, low), (0.42, 0.01)], b.mat(), n=14, stretch=(b.w, b.d))
-    for k, color in enumerate(("plastic_red", "plastic_blue", "plastic_black", "wood_yellow")):
-        x, y = (0.16, -0.16)[k % 2] * b.w, (0.15, -0.1)[k // 2] * b.d
-        b.rod((x * 0.5, y * 0.5, 0.01), (x, y, b.h - 0.012 * k), 0.005, color, "pens", 6)
-
-
-@recipe("tube_rack")
-def tube_rack(b: Builder) -> None:
-    """Stand with test tubes."""
+@recipe("labelled_jar")
+def labelled_jar(b: Builder) -> None:
+    """A jar of glass with a lid and a label: SUGAR in white cubes, or JAM, red."""
     w, d, h = b.w, b.d, b.h
-    for z in (0.0, h * 0.55):
-        b.box((-w / 2, w / 2), (-d / 2, d / 2), (z, z + h * 0.08), b.mat(), "rack")
-    for sx in (-1, 1):
-        b.box(
-            (sx * w / 2 - (0.01 if sx > 0 else 0), sx * w / 2 + (0.01 if sx < 0 else 0)),
-            (-d / 2, d / 2),
-            (0, h * 0.6),
-            b.mat(),
-            "rack",
+    jam = b.p.get("content") == "jam"
+    body = h * 0.78
+    b.lathe(
+        [(0.42, 0.0), (0.46, h * 0.04), (0.46, body * 0.86), (0.36, body)],
+        "food_c8203a" if jam else "food_f7f3ea",
+        stretch=(w, d),
+        part="content",
+        n=22,
+    )
+    b.lathe(
+        [(0.46, 0.0), (0.5, h * 0.04), (0.5, body * 0.88), (0.4, body)],
+        "glass_clear",
+        stretch=(w, d),
+        part="glass",
+        n=22,
+    )
+    if jam:
+        _jar_cloth(b, body)
+    else:
+        b.lathe(
+            [(0.44, body), (0.46, h * 0.82), (0.46, h * 0.9), (0.12, h * 0.92), (0.14, h), (0.1, h)],
+            "wood_oak",
+            stretch=(w, d),
+            part="lid",
+            n=20,
         )
-    for k in range(6):
-        x = -w * 0.38 + k * w * 0.152
-        b.cyl(x, 0, (h * 0.1, h), w * 0.04, "glass_clear", "tubes", n=8, solid=False)
-        b.cyl(
-            x,
-            0,
-            (h * 0.1, h * (0.4 + 0.05 * (k % 3))),
-            w * 0.034,
-            ("glass_red", "glass_blue", "glass_green")[k % 3],
-            "fluid",
-            n=8,
-            solid=False,
+    _jar_label(b, body, jam=jam)
+    if not jam:
+        _sugar_cubes(b, body)
+
+
+def _jar_cloth(b: Builder, body: float) -> None:
+    """A checked cloth over the lid, tied with a string."""
+    w, d, h = b.w, b.d, b.h
+    b.lathe(
+        [(0.54, body * 0.94), (0.46, h * 0.86), (0.44, h * 0.97), (0.3, h)],
+        "fabric_red",
+        stretch=(w, d),
+        part="cloth",
+        n=18,
+    )
+    for k in range(9):
+        a = k * math.tau / 9
+        b.rod(
+            (math.cos(a) * w * 0.5, math.sin(a) * d * 0.5, body * 0.97),
+            (math.cos(a) * w * 0.36, math.sin(a) * d * 0.36, h * 0.985),
+            w * 0.025,
+            "fabric_white",
+            "checks",
+            5,
         )
+    b.lathe([(0.475, h * 0.84), (0.475, h * 0.87)], "fabric_beige", stretch=(w, d), part="string", n=18)
+
+
+def _sugar_cubes(b: Builder, body: float) -> None:
+    """Seven cubes of sugar on top of the others."""
+    w, d = b.w, b.d
+    for k in range(7):
+        a, z = k * 0.9, body * (0.84 + 0.03 * (k % 2))
+        s = w * 0.07
+        x, y = math.cos(a) * w * 0.26, math.sin(a) * d * 0.26
+        b.box((x - s, x + s), (y - s, y + s), (z - s, z + s), "plastic_white", "cubes", solid=False)
+
+
+def _jar_label(b: Builder, body: float, *, jam: bool) -> None:
+    """A label on the front and on a side: SUGAR, or JAM with a strawberry."""
+    w, d = b.w, b.d
+    word = "JAM" if jam else "SUGAR"
+    for face, half in ((DrawnFace.front(b, d * 0.49), w * 0.34), (DrawnFace.side(b, w * 0.49), d * 0.34)):
+        face.field((-half, half), (body * 0.2, body * 0.78), "paper_f7f0dc", "label", w * 0.02)
+        face.write(
+            word,
+            (-half * 0.9, half * 0.9),
+            (body * (0.5 if jam else 0.36), body * (0.74 if jam else 0.6)),
+            "paper_red" if jam else "paper_2f5fa8",
+            "letters",
+            w * 0.03,
+        )
+        if jam:
+            face.disc(0, body * 0.35, half * 0.26, "paper_d8281e", "fruit", w * 0.03, 12)
+            face.field((-half * 0.2, half * 0.2), (body * 0.42, body * 0.46), "paper_green", "fruit", w * 0.034)

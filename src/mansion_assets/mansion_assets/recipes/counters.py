@@ -1,16 +1,17 @@
-"""Counters of shops, receptions and canteens, and checkouts."""
+"""Counters of shops, receptions, canteens and bars."""
 
 from typing import Any
 
 from mansion_assets.builder import Builder
 from mansion_assets.catalogue.receptacles import Receptacle, inset, surface
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
 
 
-@receptacles("counter")
+@receptacles("counter", "bar_counter")
 def _counter_tops(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     ledge = float(p.get("ledge", 0.0))
@@ -119,3 +120,74 @@ def _worktop(b: Builder) -> None:
             "panels",
             solid=False,
         )
+
+
+@recipe("bar_counter")
+def bar_counter(b: Builder) -> None:
+    """A panelled front under an overhanging top with a brass rail for the feet, the word BAR, and signs of drinks."""
+    w, d, h = b.w, b.d, b.h
+    front = d / 2 - 0.2
+    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.04, front), (0, h - 0.06), b.mat(), "body")
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.06, h), b.mat("top", "wood_c98a4a"), "top")
+    b.rod(
+        (-w / 2 + 0.002, d / 2 - 0.03, h - 0.06),
+        (w / 2 - 0.002, d / 2 - 0.03, h - 0.06),
+        0.03,
+        "wood_c98a4a",
+        "top",
+        12,
+    )
+    b.rod((-w / 2 + 0.03, d / 2 - 0.05, 0.2), (w / 2 - 0.03, d / 2 - 0.05, 0.2), 0.028, "metal_brass", "foot_rail", 12)
+    posts = max(2, round(w / 0.8)) + 1
+    for k in range(posts):
+        x = -w / 2 + 0.1 + k * (w - 0.2) / (posts - 1)
+        b.path([(x, front, 0.28), (x, d / 2 - 0.05, 0.2), (x, d / 2 - 0.05, 0.0)], 0.014, "metal_brass", "foot_rail")
+    face = DrawnFace.front(b, front)
+    face.field((-w / 2 + 0.02, w / 2 - 0.02), (0.0, 0.1), "metal_dark", "plinth", 0.01)
+    third = (w - 0.1) / 3
+    for k in range(3):
+        u = (k - 1) * third
+        face.field((u - third * 0.47, u + third * 0.47), (0.3, h - 0.14), "wood_3a2416", "panels", 0.01)
+    sign = (0.36, h - 0.2)
+    face.write("BAR", (-third * 0.42, third * 0.42), sign, "light_ffd27a", "letters", 0.03)
+    _beer_mug(face, -third, sign)
+    _cocktail(face, third, sign)
+
+
+def _beer_mug(face: DrawnFace, u: float, v: tuple[float, float]) -> None:
+    """The sign of a mug of beer with its handle and a head of foam."""
+    tall = v[1] - v[0]
+    r = tall * 0.3
+    face.field((u - r, u + r), (v[0], v[0] + tall * 0.74), "plastic_f0a818", "beer", 0.03)
+    for k in (-0.6, 0.0, 0.6):
+        face.field(
+            (u + r * (k - 0.08), u + r * (k + 0.08)),
+            (v[0] + tall * 0.1, v[0] + tall * 0.6),
+            "plastic_fbd774",
+            "beer",
+            0.034,
+        )
+    for k in (-0.8, -0.3, 0.3, 0.8):
+        face.disc(u + r * k, v[0] + tall * 0.78, r * 0.42, "plastic_white", "foam", 0.036, 14)
+    grip = [
+        (u + r, v[0] + tall * 0.6),
+        (u + r * 1.6, v[0] + tall * 0.54),
+        (u + r * 1.6, v[0] + tall * 0.2),
+        (u + r, v[0] + tall * 0.14),
+    ]
+    face.line(grip, r * 0.13, "plastic_fbd774", "handle", 0.014)
+
+
+def _cocktail(face: DrawnFace, u: float, v: tuple[float, float]) -> None:
+    """The sign of a cocktail glass with an olive on a stick."""
+    tall = v[1] - v[0]
+    r, bowl = tall * 0.42, v[0] + tall * 0.42
+    rim = v[0] + tall * 0.86
+    for k in range(8):
+        low, high = bowl + (rim - bowl) * k / 8, bowl + (rim - bowl) * (k + 1) / 8
+        half = r * (k + 1) / 8
+        face.field((u - half, u + half), (low, high), "plastic_f2f6fa" if k == 7 else "plastic_e8486a", "glass", 0.03)
+    face.field((u - r * 0.06, u + r * 0.06), (v[0], bowl), "plastic_f2f6fa", "glass", 0.03)
+    face.field((u - r * 0.55, u + r * 0.55), (v[0], v[0] + tall * 0.06), "plastic_f2f6fa", "glass", 0.03)
+    face.line([(u, bowl + tall * 0.2), (u + r * 0.9, v[1])], r * 0.04, "metal_brass", "stick", 0.034)
+    face.disc(u + r * 0.3, bowl + tall * 0.32, r * 0.16, "plastic_6fae3a", "olive", 0.04, 12)

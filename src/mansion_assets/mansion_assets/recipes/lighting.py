@@ -2,8 +2,12 @@
 
 import math
 
+import numpy as np
+
 from mansion_assets.builder import Builder
+from mansion_assets.convex import revolved_bodies
 from mansion_assets.registry import recipe
+from mansion_assets.solids import revolved
 
 __all__: list[str] = []
 
@@ -109,16 +113,48 @@ def track(b: Builder) -> None:
         b.rod((x, d / 2 - 0.02, h * 0.2), (x, d / 2 - 0.012, h * 0.17), min(0.03, h * 0.17), "light_warm", "lens", 14)
 
 
-@recipe("fan")
-def fan(b: Builder) -> None:
-    """Ceiling fan with four blades."""
+@recipe("bright_panel")
+def bright_panel(b: Builder) -> None:
+    """A lamp in the plane of a ceiling: a white frame round a lit diffuser that bars part."""
     w, d, h = b.w, b.d, b.h
-    b.cyl(0, 0, (h * 0.35, h), 0.015, "metal_steel", "rod")
-    b.lathe(
-        [(0.03, 0), (0.09, h * 0.1), (0.1, h * 0.35), (0.04, h * 0.42)], "metal_steel", part="hub", stretch=(1.0, 1.0)
+    rim = min(w, d) * 0.08
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.3, h), b.mat(), "case")
+    for side in (-1, 1):
+        across, along = sorted((side * w / 2, side * (w / 2 - rim))), sorted((side * d / 2, side * (d / 2 - rim)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (0, h * 0.4), b.mat(), "frame")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (0, h * 0.4), b.mat(), "frame")
+    b.box((-w / 2 + rim, w / 2 - rim), (-d / 2 + rim, d / 2 - rim), (h * 0.12, h * 0.4), "light_white", "diffuser")
+    for k in range(1, max(2, round(w / 0.15))):
+        x = -w / 2 + k * w / max(2, round(w / 0.15))
+        b.box(
+            (x - h * 0.08, x + h * 0.08),
+            (-d / 2 + rim, d / 2 - rim),
+            (0, h * 0.2),
+            "metal_chrome",
+            "louvres",
+            solid=False,
+        )
+
+
+@recipe("bracket_lamp")
+def bracket_lamp(b: Builder) -> None:
+    """A round plate on the wall, an arm that curves up from it, and a lit shade of cloth; a switch hangs down."""
+    w, d, h = b.w, b.d, b.h
+    back, y = -d / 2, d * 0.1
+    arm = b.mat() if not b.mat().startswith("fabric") else "metal_brass"
+    b.rod((0, back, h * 0.26), (0, back + d * 0.08, h * 0.26), w * 0.32, arm, "plate", 20, solid=True)
+    b.rod((0, back + d * 0.06, h * 0.26), (0, back + d * 0.12, h * 0.26), w * 0.14, arm, "plate", 16)
+    b.path(
+        [(0, back + d * 0.1, h * 0.26), (0, -d * 0.1, h * 0.2), (0, y, h * 0.26), (0, y, h * 0.5)], w * 0.05, arm, "arm"
     )
-    b.box((-w / 2, w / 2), (-0.07, 0.07), (h * 0.24, h * 0.27), b.mat(), "blades")
-    b.box((-0.07, 0.07), (-d / 2, d / 2), (h * 0.24, h * 0.27), b.mat(), "blades")
+    b.cyl(0, y, (h * 0.36, h * 0.4), w * 0.14, arm, "socket", n=14)
+    r = min(w / 2, d * 0.4)
+    b.lathe([(r, h * 0.44), (r * 0.6, h), (r * 0.56, h), (r * 0.96, h * 0.445)], "light_fff1d0", (0, y), "shade", 22)
+    for z, share in ((h * 0.44, 1.02), (h * 0.98, 0.64)):
+        b.lathe([(r * share, z), (r * share, z + h * 0.02)], arm, (0, y), "rims", 22)
+    b.ball((0, y, h * 0.44), (r * 0.3, r * 0.3, h * 0.08), "light_white", "bulb", 10)
+    b.rod((w * 0.1, y, h * 0.02), (w * 0.1, y, h * 0.4), w * 0.014, arm, "switch", 6)
+    b.ball((w * 0.1, y, h * 0.02), (w * 0.04, w * 0.04, h * 0.02), arm, "switch", 8)
 
 
 @recipe("surgical_light")
@@ -153,3 +189,31 @@ def studio_light(b: Builder) -> None:
         part="box",
     )
     b.box((-w / 2, w / 2), (d / 2 - 0.02, d / 2), (h - 0.6, h), "light_white", "front", solid=False)
+
+
+_FACETS = ("metal_white", "metal_grey", "metal_light", "metal_dark", "metal_chrome", "plastic_8fb6d9", "metal_light")
+"""What the mirrors of a disco ball reflect."""
+
+
+@recipe("disco_ball")
+def disco_ball(b: Builder) -> None:
+    """A ball of small mirrors, each of which reflects something else, on a chain below a motor."""
+    w, h = b.w, b.h
+    r, sides, bands = w / 2, 22, 13
+    rise = h * 0.42
+    profile = [
+        (math.cos(a) * r, rise + math.sin(a) * h * 0.42) for a in np.linspace(-math.pi / 2, math.pi / 2, bands + 1)
+    ]
+    vertices, faces = revolved(profile, (0.0, 0.0), sides, (1.0, 1.0))
+    bodies = revolved_bodies(profile, (0.0, 0.0), sides, (1.0, 1.0))
+    numbers = np.arange(len(faces))
+    band, side = numbers // (2 * sides), numbers % sides
+    marks = (band * 5 + side * 3 + (band * side) % 4) % len(_FACETS)
+    for mark, color in enumerate(_FACETS):
+        b.raw(vertices, faces[marks == mark], color, f"mirrors_{mark}", bodies=bodies)
+    for mark, color in enumerate(("light_pink", "light_yellow", "light_white", "light_4f9bf0")):
+        a, tilt = 0.3 + 0.45 * mark, 0.5 - 0.35 * mark
+        spot = (math.cos(a) * math.cos(tilt) * r, math.sin(a) * math.cos(tilt) * r, rise + math.sin(tilt) * h * 0.42)
+        b.ball(spot, (r * 0.06, r * 0.06, r * 0.06), color, "glints", 8)
+    b.cyl(0, 0, (h * 0.83, h * 0.94), r * 0.04, "metal_dark", "chain", n=8)
+    b.cyl(0, 0, (h * 0.92, h), r * 0.3, "plastic_black", "motor", n=16)

@@ -1,10 +1,57 @@
 """Printed matter, told apart by what is on its covers and sheets."""
 
-from mansion_assets.builder import Builder
+from mansion_assets.builder import Box, Builder
 from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
+
+
+_COVERS = ("paper_red", "paper_blue", "paper_green", "paper_brown", "paper_beige", "paper_orange")
+
+
+@recipe("book")
+def book(b: Builder) -> None:
+    """Book lying flat, a stack, a row standing upright, or one folder."""
+    w, d, h = b.w, b.d, b.h
+    style = b.p.get("style")
+    if style == "row":
+        count = max(4, round(w / 0.03))
+        for k in range(count):
+            x0, high = -w / 2 + k * w / count, h * (1.0, 0.86, 0.93, 0.78, 0.97)[k % 5]
+            b.box(
+                (x0, x0 + w / count - 0.001),
+                (-d / 2, d / 2 - 0.006 * (k % 3)),
+                (0, high),
+                _COVERS[(k * 5 + k // 3) % 6],
+                "books",
+                solid=False,
+            )
+        b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))
+        return
+    if style == "upright":
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h), b.mat(), "cover")
+        b.box((-w * 0.3, w * 0.3), (d / 2 - 0.001, d / 2), (h * 0.4, h * 0.7), "paper_white", "label", solid=False)
+        return
+    count = int(b.p.get("stack", 1))
+    for k in range(count):
+        z0, z1 = h * k / count, h * (k + 1) / count
+        shrink = 1.0 if count == 1 or k == 0 else 0.84 + 0.04 * (k % 3)
+        cover = b.mat() if k == 0 else _COVERS[(k * 2 + 1) % 6]
+        t = (z1 - z0) * 0.16
+        x, y = (-w / 2 * shrink, w / 2 * shrink), (-d / 2 * shrink, d / 2 * shrink)
+        b.box(x, y, (z0, z0 + t), cover, "cover", solid=False)
+        b.box(x, y, (z1 - t, z1), cover, "cover", solid=False)
+        b.box((x[0], x[0] + 0.004), y, (z0, z1), cover, "cover", solid=False)
+        b.box(
+            (x[0] + 0.003, x[1] - 0.004),
+            (y[0] + 0.004, y[1] - 0.004),
+            (z0 + t, z1 - t),
+            "paper_light",
+            "pages",
+            solid=False,
+        )
+    b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))
 
 
 def _columns(face: DrawnFace, u: tuple[float, float], v: tuple[float, float], rows: int) -> None:
@@ -179,34 +226,3 @@ def menu_card(b: Builder) -> None:
         v = h * (0.1 + 0.1 * k)
         face.field((-w * 0.4, w * (0.1 - 0.06 * (k % 2))), (v, v + h * 0.035), dark, "dishes", 0.001)
         face.field((w * 0.26, w * 0.4), (v, v + h * 0.035), ink, "prices", 0.001)
-
-
-@recipe("board_game")
-def board_game(b: Builder) -> None:
-    """A board of fields round its edge, with pieces of four colours, two dice and a stack of cards."""
-    w, d, h = b.w, b.d, b.h
-    top = h * 0.22
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, top), b.mat(), "board")
-    face = DrawnFace.top(b, top)
-    face.field((-w * 0.36, w * 0.36), (-d * 0.36, d * 0.36), "paper_beige", "middle", 0.001)
-    colors = ("paper_yellow", "paper_white", "paper_blue", "paper_green", "paper_orange")
-    for k in range(9):
-        s = -0.49 + 0.1089 * k
-        for side in (-1, 1):
-            edge = sorted((side * 0.49, side * 0.375))
-            color = colors[(k * 2 + side) % 5]
-            face.field((w * s, w * (s + 0.1)), (d * edge[0], d * edge[1]), color, "fields", 0.001)
-            if 0 < k < 8:
-                face.field((w * edge[0], w * edge[1]), (d * s, d * (s + 0.1)), color, "fields", 0.001)
-    for k, color in enumerate(("red", "blue", "green", "yellow")):
-        x, y = w * (0.43 - 0.26 * k), d * (0.42 if k % 2 else 0.2)
-        b.lathe([(w * 0.045, top), (w * 0.018, top + h * 0.45)], f"plastic_{color}", (x, y), "pieces", 12)
-        b.ball((x, y, top + h * 0.5), (w * 0.028, w * 0.028, h * 0.14), f"plastic_{color}", "pieces", 8)
-    for x, y in ((w * 0.08, d * 0.12), (-w * 0.06, d * 0.2)):
-        b.box(
-            (x - w * 0.04, x + w * 0.04), (y - w * 0.04, y + w * 0.04), (top, top + w * 0.08), "plastic_white", "dice"
-        )
-        DrawnFace.top(b, top + w * 0.08).disc(-x, -y, w * 0.016, "plastic_black", "dice", 0.001, 8)
-        DrawnFace.front(b, y + w * 0.04).disc(-x, top + w * 0.04, w * 0.014, "plastic_black", "dice", 0.001, 8)
-    b.box((-w * 0.24, -w * 0.06), (-d * 0.26, -d * 0.02), (top, h * 0.5), "paper_red", "cards")
-    b.box((w * 0.04, w * 0.22), (-d * 0.26, -d * 0.02), (top, h * 0.4), "paper_blue", "cards")

@@ -1,4 +1,4 @@
-"""Small things of desks and pockets: paper, envelopes, cards, staplers, tape, memory sticks, telephones."""
+"""Stationery: paper, pencils, scissors, staplers, tape."""
 
 import math
 
@@ -42,59 +42,93 @@ def envelope(b: Builder) -> None:
     b.cyl(0, d * 0.03, (h * 0.9, h), d * 0.1, "paint_red", "seal", n=16)
 
 
-@recipe("credit_card")
-def credit_card(b: Builder) -> None:
-    """A card with a gold chip, a number in four groups, and two circles that overlap."""
+@recipe("pencil")
+def pencil(b: Builder) -> None:
+    """A six-sided shaft with a pink rubber in a metal band behind and a sharpened point in front."""
     w, d, h = b.w, b.d, b.h
-    z = (h, h * 1.04)
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h), b.mat(), "card")
-    b.box((-w * 0.4, -w * 0.22), (-d * 0.02, d * 0.22), z, "metal_brass", "chip", solid=False)
-    b.box((-w * 0.4, -w * 0.22), (d * 0.09, d * 0.11), (h, h * 1.05), "metal_dark", "chip", solid=False)
-    for group in range(4):
-        for k in range(4):
-            x = -w * 0.4 + group * w * 0.2 + k * w * 0.04
-            b.box((x, x + w * 0.024), (-d * 0.2, -d * 0.1), z, "plastic_white", "number", solid=False)
-    b.box((-w * 0.4, w * 0.05), (-d * 0.38, -d * 0.32), z, "plastic_white", "name", solid=False)
-    b.cyl(w * 0.28, -d * 0.32, (h, h * 1.03), d * 0.12, "paint_red", "mark", n=20, solid=False)
-    b.cyl(w * 0.38, -d * 0.32, (h, h * 1.05), d * 0.12, "paint_yellow", "mark", n=20, solid=False)
+    r, z = min(w, h) / 2, h / 2
+    b.rod((0, -d / 2, z), (0, -d * 0.44, z), r * 0.9, "rubber_pink", "rubber", 10)
+    b.rod((0, -d * 0.44, z), (0, -d * 0.36, z), r * 0.95, "metal_light", "band", 10)
+    b.rod((0, -d * 0.36, z), (0, d * 0.34, z), r, b.mat(), "shaft", 6, solid=True)
+    for k in range(4):
+        share = 0.86 - 0.2 * k
+        b.rod((0, d * (0.34 + 0.03 * k), z), (0, d * (0.37 + 0.03 * k), z), r * share, "wood_birch", "point", 8)
+    b.rod((0, d * 0.46, z), (0, d / 2, z), r * 0.16, "plastic_black", "lead", 6)
 
 
-@recipe("badge")
-def badge(b: Builder) -> None:
-    """An identity card with a photograph, a coloured head and lines of print, and a clip on a strap."""
+@recipe("pen_cup")
+def pen_cup(b: Builder) -> None:
+    """Cup with pens."""
+    low = b.h * 0.55
+    b.lathe([(0.48, 0), (0.5, low), (0.45, low), (0.42, 0.01)], b.mat(), n=14, stretch=(b.w, b.d))
+    for k, color in enumerate(("plastic_red", "plastic_blue", "plastic_black", "wood_yellow")):
+        x, y = (0.16, -0.16)[k % 2] * b.w, (0.15, -0.1)[k // 2] * b.d
+        b.rod((x * 0.5, y * 0.5, 0.01), (x, y, b.h - 0.012 * k), 0.005, color, "pens", 6)
+
+
+@recipe("crayons")
+def crayons(b: Builder) -> None:
+    """An open carton of crayons that lie side by side, their points out in front, each of another colour."""
     w, d, h = b.w, b.d, b.h
-    z, end = (h * 0.7, h * 0.76), d * 0.3
-    b.box((-w / 2, w / 2), (-d / 2, end), (0, h * 0.7), b.mat(), "card")
-    b.box((-w / 2, w / 2), (end - d * 0.14, end), z, "paint_3a7bc8", "head", solid=False)
-    b.box((-w * 0.38, w * 0.02), (-d * 0.2, d * 0.12), z, "plastic_light", "photograph", solid=False)
-    b.cyl(-w * 0.18, d * 0.02, (h * 0.76, h * 0.82), w * 0.11, "fabric_skin", "photograph", solid=False)
-    b.box((-w * 0.34, -w * 0.02), (-d * 0.2, -d * 0.08), (h * 0.76, h * 0.8), "paint_dark", "photograph", solid=False)
-    for k, wide in enumerate((0.34, 0.28, 0.34)):
-        y = d * (0.06 - 0.09 * k)
-        b.box((w * 0.1, w * (0.1 + wide)), (y, y + d * 0.03), z, "plastic_black", "print", solid=False)
-    b.box((-w * 0.38, w * 0.4), (-d * 0.42, -d * 0.3), z, "plastic_black", "print", solid=False)
-    b.box((-w * 0.14, w * 0.14), (end - d * 0.02, d * 0.42), (h * 0.2, h * 0.5), "plastic_light", "strap")
-    b.box((-w * 0.2, w * 0.2), (d * 0.4, d / 2), (0, h), "metal_steel", "clip")
+    mouth = d * 0.1
+    b.box((-w / 2, w / 2), (-d / 2, mouth), (0, h), b.mat(), "box")
+    b.box((-w * 0.4, w * 0.4), (-d * 0.36, mouth - d * 0.08), (h, h * 1.02), "paint_2f9a4a", "label", solid=False)
+    b.box((-w * 0.3, w * 0.3), (-d * 0.28, mouth - d * 0.2), (h, h * 1.04), "paper_yellow", "label", solid=False)
+    colors = ("red", "orange", "yellow", "green", "blue", "purple", "pink", "brown")
+    r = w / len(colors) / 2
+    for k, color in enumerate(colors):
+        x = -w / 2 + (2 * k + 1) * r
+        reach = d * (0.36 if k % 2 else 0.32)
+        b.rod((x, mouth - 0.004, h * 0.5), (x, reach, h * 0.5), r * 0.86, f"plastic_{color}", "crayons", 10)
+        b.rod((x, reach - d * 0.06, h * 0.5), (x, reach - d * 0.03, h * 0.5), r * 0.9, "plastic_black", "crayons", 10)
+        for j in range(3):
+            b.rod(
+                (x, reach + d * 0.045 * j, h * 0.5),
+                (x, reach + d * 0.045 * (j + 1), h * 0.5),
+                r * (0.66 - 0.2 * j),
+                f"plastic_{color}",
+                "points",
+                8,
+            )
 
 
-@recipe("usb_stick")
-def usb_stick(b: Builder) -> None:
-    """A rounded case with a light, and a metal plug with two square holes in front."""
+@recipe("scissors")
+def scissors(b: Builder) -> None:
+    """Two blades that cross at a screw, opened to the front, each with a ring for the fingers behind."""
     w, d, h = b.w, b.d, b.h
-    b.cushion((-w / 2, w / 2), (-d / 2, d * 0.18), (0, h), b.mat(), "case", 0.4)
-    b.box((-w * 0.38, w * 0.38), (d * 0.16, d / 2), (h * 0.2, h * 0.8), "metal_chrome", "plug")
-    for side in (-1, 1):
-        x = side * w * 0.16
-        b.box(
-            (x - w * 0.08, x + w * 0.08),
-            (d * 0.3, d * 0.36),
-            (h * 0.78, h * 0.815),
-            "plastic_black",
-            "holes",
-            solid=False,
+    pivot, r = -d * 0.02, min(w * 0.24, d * 0.17)
+    for side, z in ((-1, (h * 0.1, h * 0.5)), (1, (h * 0.5, h * 0.9))):
+        tip, tail = side * w * 0.3, -side * w * 0.24
+        across = w * 0.09
+        b.prism(
+            [
+                (-across, pivot - d * 0.05),
+                (across, pivot - d * 0.05),
+                (tip + across * 0.2, d / 2),
+                (tip - across * 0.4, d * 0.46),
+            ],
+            z,
+            b.mat(),
+            "z",
+            "blades",
         )
-    b.box((-w * 0.3, w * 0.3), (-d * 0.3, d * 0.02), (h, h * 1.03), "paint_3a7bc8", "label", solid=False)
-    b.cyl(0, -d * 0.4, (h * 0.97, h * 1.03), w * 0.09, "light_green", "light", solid=False)
+        b.prism(
+            [
+                (-across, pivot + d * 0.06),
+                (across, pivot + d * 0.06),
+                (tail + across, -d / 2 + 2 * r),
+                (tail - across, -d / 2 + 2 * r),
+            ],
+            z,
+            b.mat(),
+            "z",
+            "shanks",
+        )
+        ring = [
+            (tail + r * math.cos(k * math.pi / 8), -d / 2 + r + r * math.sin(k * math.pi / 8), h / 2) for k in range(17)
+        ]
+        b.path(ring, max(r * 0.22, h * 0.4), "plastic_red", "rings")
+    b.cyl(0, pivot, (h * 0.85, h), w * 0.07, "metal_dark", "screw")
 
 
 @recipe("stapler")
@@ -160,63 +194,3 @@ def tape_dispenser(b: Builder) -> None:
         part="tape",
     )
     b.box((-w * 0.34, w * 0.34), (d * 0.42, d * 0.46), (h * 0.5, h * 0.63), "metal_chrome", "blade")
-
-
-@recipe("mobile_phone")
-def mobile_phone(b: Builder) -> None:
-    """A telephone with a bright screen of coloured icons in rows, a dock, a speaker slot, and a camera on top."""
-    w, d, h = b.w, b.d, b.h
-    lit = (h, h * 1.03)
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h), "plastic_black", "case")
-    b.box((-w * 0.45, w * 0.45), (-d * 0.46, d * 0.46), lit, "plastic_9cc4ea", "screen", solid=False)
-    colors = (
-        "paint_red",
-        "paint_2f9a4a",
-        "paint_orange",
-        "paint_1d5fd0",
-        "plastic_white",
-        "paint_yellow",
-        "paint_purple",
-    )
-    for k in range(20):
-        row, column = divmod(k, 4)
-        x, y = w * (0.32 - 0.213 * column), d * (-0.3 + 0.125 * row)
-        if row == 4:
-            y = d * 0.38
-        side = w * 0.075
-        b.box(
-            (x - side, x + side),
-            (y - side, y + side),
-            (h * 1.03, h * 1.06),
-            colors[(k * 3 + row) % 7],
-            "icons",
-            solid=False,
-        )
-    b.box((-w * 0.14, w * 0.14), (-d * 0.445, -d * 0.42), (h * 1.03, h * 1.06), "plastic_black", "speaker", solid=False)
-
-
-@recipe("compact_disc")
-def compact_disc(b: Builder) -> None:
-    """A silver disc with a hole, a clear hub and sectors that shine in the colours of the rainbow."""
-    w, d, h = b.w, b.d, b.h
-    n = 48
-    turns = [k * 2 * math.pi / n for k in range(n + 1)]
-    glow = {
-        4: "plastic_e79ac0",
-        5: "plastic_8fd3c8",
-        6: "plastic_e8e08a",
-        28: "plastic_8fd3c8",
-        29: "plastic_a9b7ee",
-        30: "plastic_e79ac0",
-    }
-    for k in range(n):
-        sector = [
-            (r * math.cos(a), r * math.sin(a))
-            for r, a in ((0.17, turns[k]), (0.5, turns[k]), (0.5, turns[k + 1]), (0.17, turns[k + 1]))
-        ]
-        b.prism([(x * w, y * d) for x, y in sector], (0, h), glow.get(k, "metal_light"), "z", "disc")
-        hub = [
-            (r * math.cos(a), r * math.sin(a))
-            for r, a in ((0.07, turns[k]), (0.17, turns[k]), (0.17, turns[k + 1]), (0.07, turns[k + 1]))
-        ]
-        b.prism([(x * w, y * d) for x, y in hub], (h * 0.2, h * 0.8), "plastic_dark", "z", "hub")

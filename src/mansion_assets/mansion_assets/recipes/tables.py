@@ -208,3 +208,25 @@ def desk(b: Builder) -> None:
         b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.012), (z, b.h), b.mat(), "hutch")
         for level in (b.h, z + (b.h - z) * 0.55):
             b.box((-w / 2, w / 2), (-d / 2, shelf.y1 + 0.02), (level - 0.022, level), b.mat(), "hutch")
+
+
+@recipe("banquet_table")
+def banquet_table(b: Builder) -> None:
+    """A round top under a white cloth that falls to the floor in deep folds, with a golden edge."""
+    w, d = b.w, b.d
+    z = b.tops[0].z
+    b.lathe([(0.5, z - 0.02), (0.5, z)], b.mat(), stretch=(w, d), part="top", n=36)
+    b.lathe([(0.47, 0.0), (0.485, z - 0.02)], b.mat(), stretch=(w, d), part="cloth", n=36)
+    folds = 20
+    for k in range(folds):
+        a = k * math.tau / folds
+        ux, uy = math.cos(a), math.sin(a)
+        b.rod(
+            (ux * w * 0.475, uy * d * 0.475, z - 0.03),
+            (ux * w * 0.468, uy * d * 0.468, 0.0),
+            w * 0.03,
+            b.mat(),
+            "folds",
+            8,
+        )
+    b.lathe([(0.493, z * 0.8), (0.503, z - 0.015)], "fabric_c9a24a", stretch=(w, d), part="overlay", n=36)

@@ -1,8 +1,9 @@
-"""Cars, bicycles, chairs on wheels."""
+"""Cars, lorries, vans, fire engines and rowing boats."""
 
-import math
+import numpy as np
 
-from mansion_assets.builder import Box, Builder
+from mansion_assets.builder import Builder
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
@@ -129,132 +130,201 @@ def _engine_ladder(b: Builder, cab: float) -> None:
         b.rod((0.0, y, b.h - 0.25), (0.0, y, z + 0.12), 0.06, "metal_dark", "ladder", 8)
 
 
-def _wheel(b: Builder, x: float, y: float, r: float, tyre: float = 0.02) -> None:
-    points = [(x, y + r * math.cos(a), r + tyre + r * math.sin(a)) for a in [k * math.pi / 12 for k in range(25)]]
-    b.path(points, tyre, "rubber_black", "wheels")
-    for k in range(6):
-        a = k * math.pi / 6
-        b.rod(
-            (x, y - r * math.cos(a), r + tyre - r * math.sin(a)),
-            (x, y + r * math.cos(a), r + tyre + r * math.sin(a)),
-            0.003,
-            "metal_steel",
-            "spokes",
-            5,
+def _wheels(b: Builder, r: float, axles: tuple[float, ...]) -> None:
+    """Add pairs of wheels, in places along the vehicle."""
+    for y in axles:
+        for side in (-1, 1):
+            across = sorted((side * b.w / 2, side * (b.w / 2 - 0.26)))
+            b.rod((across[0], y, r), (across[1], y, r), r, "rubber_black", "wheels", 20, solid=True)
+            cap = side * b.w / 2
+            b.rod((cap - side * 0.02, y, r), (cap + side * 0.004, y, r), r * 0.55, "metal_light", "wheels", 16)
+
+
+def _lamps(b: Builder, y: float, z: tuple[float, float]) -> None:
+    """Add two headlights, indicators, and a number plate."""
+    face = DrawnFace.front(b, y)
+    for side in (-1, 1):
+        u = sorted((side * b.w * 0.44, side * b.w * 0.3))
+        face.field((u[0], u[1]), z, "light_fff6df", "lamps", 0.012)
+        u = sorted((side * b.w * 0.29, side * b.w * 0.25))
+        face.field((u[0], u[1]), z, "light_orange", "lamps", 0.012)
+    face.field((-b.w * 0.14, b.w * 0.14), (z[0] - 0.16, z[0] - 0.06), "plastic_white", "plate", 0.012)
+
+
+@recipe("lorry")
+def lorry(b: Builder) -> None:
+    """A cab with a steep windscreen, a gap, and a tall white box on a frame with three axles."""
+    w, d, h = b.w, b.d, b.h
+    r, floor = h * 0.19, h * 0.3
+    cab = d / 2 - d * 0.27
+    _wheels(b, r, (d * 0.36, -d * 0.22, -d * 0.36))
+    b.box((-w * 0.3, w * 0.3), (-d * 0.48, d * 0.44), (r, floor), "metal_dark", "frame")
+    front = [(cab, floor * 0.7), (d / 2, floor * 0.7), (d / 2, h * 0.52), (d / 2 - 0.14, h * 0.84), (cab, h * 0.84)]
+    b.prism(front, (-w * 0.47, w * 0.47), b.mat(), part="cab")
+    b.prism([(cab, h * 0.84), (d / 2 - 0.3, h * 0.84), (cab, h * 0.95)], (-w * 0.44, w * 0.44), b.mat(), part="spoiler")
+    b.box((-w * 0.49, w * 0.49), (d / 2 - 0.16, d / 2), (floor * 0.55, floor * 0.95), "metal_light", "bumper")
+    glass = DrawnFace.sloped(b, (d / 2, h * 0.52), (d / 2 - 0.14, h * 0.84))
+    glass.field((-w * 0.43, w * 0.43), (0.04, h * 0.28), "glass_black", "windscreen", 0.012)
+    _lamps(b, d / 2, (floor * 0.64, floor * 0.86))
+    grille = DrawnFace.front(b, d / 2)
+    for k in range(4):
+        v = h * (0.33 + 0.042 * k)
+        grille.field((-w * 0.34, w * 0.34), (v, v + h * 0.022), "plastic_black", "grille", 0.012)
+    for side in (-1, 1):
+        across = sorted((side * w * 0.47, side * (w * 0.47 + 0.012)))
+        window = [(cab + 0.16, h * 0.54), (d / 2 - 0.12, h * 0.54), (d / 2 - 0.22, h * 0.8), (cab + 0.16, h * 0.8)]
+        b.prism(window, (across[0], across[1]), "glass_black", part="windows")
+        b.box(
+            (across[0], across[1] + 0.004),
+            (cab + 0.05, cab + 0.08),
+            (floor, h * 0.82),
+            "metal_dark",
+            "door",
+            solid=False,
+        )
+        mirror = sorted((side * w * 0.48, side * w * 0.5))
+        b.box((mirror[0], mirror[1]), (d / 2 - 0.22, d / 2 - 0.12), (h * 0.6, h * 0.76), "plastic_black", "mirrors")
+    b.box((-w / 2, w / 2), (-d / 2, cab - 0.16), (floor, h), "metal_white", "box")
+    wall = DrawnFace.side(b, w / 2)
+    wall.field((-d * 0.46, d * 0.16), (h * 0.5, h * 0.58), b.mat(), "stripe", 0.006)
+    wall.write("CARGO", (-d * 0.36, d * 0.06), (h * 0.64, h * 0.88), b.mat(), "letters", 0.008)
+    for k in range(5):
+        u = -d * 0.46 + d * 0.155 * k
+        wall.field((u, u + 0.02), (floor, h * 0.98), "metal_light", "ribs", 0.006)
+
+
+@recipe("van")
+def van(b: Builder) -> None:
+    """A delivery van: a short nose, a raked windscreen, a tall body without windows, the rail of a sliding door."""
+    w, d, h = b.w, b.d, b.h
+    r, low = h * 0.16, h * 0.12
+    _wheels(b, r, (d * 0.32, -d * 0.3))
+    outline = [
+        (-d / 2, low),
+        (d * 0.47, low),
+        (d / 2, h * 0.3),
+        (d * 0.48, h * 0.46),
+        (d * 0.36, h * 0.54),
+        (d * 0.22, h * 0.95),
+        (d * 0.12, h),
+        (-d * 0.47, h),
+        (-d / 2, h * 0.94),
+    ]
+    b.prism(outline, (-w * 0.48, w * 0.48), b.mat(), part="body")
+    _van_nose(b, low)
+    _van_sides(b, low)
+    _van_letters(b)
+
+
+def _van_nose(b: Builder, low: float) -> None:
+    """The windscreen, lamps, the grille and a bumper."""
+    w, d, h = b.w, b.d, b.h
+    glass = DrawnFace.sloped(b, (d * 0.36, h * 0.54), (d * 0.22, h * 0.95))
+    length = ((d * 0.14) ** 2 + (h * 0.41) ** 2) ** 0.5
+    glass.field((-w * 0.42, w * 0.42), (length * 0.06, length * 0.94), "glass_black", "windscreen", 0.012)
+    _lamps(b, d * 0.485, (h * 0.36, h * 0.44))
+    nose = DrawnFace.front(b, d * 0.49)
+    for k in range(3):
+        nose.field(
+            (-w * 0.22, w * 0.22), (h * (0.35 + 0.034 * k), h * (0.368 + 0.034 * k)), "plastic_black", "grille", 0.014
+        )
+    b.box((-w * 0.49, w * 0.49), (d * 0.42, d / 2), (low * 0.9, h * 0.22), "plastic_dark", "bumper")
+
+
+def _van_sides(b: Builder, low: float) -> None:
+    """A window, doors with the rail that one of them slides on, a mirror and a strip on each side."""
+    w, d, h = b.w, b.d, b.h
+    for side in (-1, 1):
+        across = sorted((side * w * 0.48, side * (w * 0.48 + 0.012)))
+        window = [(d * 0.1, h * 0.58), (d * 0.32, h * 0.58), (d * 0.21, h * 0.88), (d * 0.1, h * 0.88)]
+        b.prism(window, (across[0], across[1]), "glass_black", part="windows")
+        for y in (d * 0.08, -d * 0.14):
+            b.box((across[0], across[1]), (y - 0.012, y + 0.012), (low, h * 0.92), "metal_dark", "doors", solid=False)
+        b.box(
+            (across[0], across[1] + 0.004),
+            (-d * 0.44, -d * 0.14),
+            (h * 0.52, h * 0.545),
+            "metal_dark",
+            "rail",
+            solid=False,
+        )
+        b.box(
+            (across[0], across[1] + 0.01),
+            (-d * 0.1, -d * 0.05),
+            (h * 0.5, h * 0.53),
+            "plastic_black",
+            "handles",
+            solid=False,
+        )
+        mirror = sorted((side * w * 0.48, side * w / 2))
+        b.box((mirror[0], mirror[1]), (d * 0.28, d * 0.32), (h * 0.56, h * 0.66), "plastic_black", "mirrors")
+        b.box(
+            (across[0], across[1]), (-d * 0.47, d * 0.44), (h * 0.24, h * 0.275), "plastic_dark", "strip", solid=False
         )
 
 
-@recipe("bicycle")
-def bicycle(b: Builder) -> None:
-    """Bicycle or motorcycle, facing the front."""
+def _van_letters(b: Builder) -> None:
+    """The word EXPRESS on the right side."""
     w, d, h = b.w, b.d, b.h
-    m = b.mat()
-    motor = b.p.get("style") == "motor"
-    r, tyre = (0.27, 0.05) if motor else (d * 0.18, 0.018)
-    rear, front = -d / 2 + r + tyre, d / 2 - r - tyre
-    _wheel(b, 0, rear, r, tyre)
-    _wheel(b, 0, front, r, tyre)
-    hub, crank = r + tyre, (0.0, -d * 0.04, r * 0.95)
-    seat, head = (0.0, -d * 0.12, h * 0.8), (0.0, d * 0.24, h * 0.78)
-    if motor:
-        b.cushion((-0.16, 0.16), (-d * 0.18, d * 0.14), (0.22, h * 0.62), "metal_dark", "engine", 0.3)
-        b.cushion((-0.17, 0.17), (-d * 0.02, d * 0.22), (h * 0.55, h * 0.85), m, "tank", 0.6)
-        b.cushion((-0.14, 0.14), (-d * 0.4, 0.0), (h * 0.6, h * 0.72), "leather_black", "seat", 0.6)
-    else:
-        for p, q in ((crank, seat), (seat, head), (crank, head), (crank, (0.0, rear, hub)), (seat, (0.0, rear, hub))):
-            b.rod(p, q, 0.016, m, "frame")
-        b.cushion((-0.07, 0.07), (seat[1] - 0.13, seat[1] + 0.12), (h * 0.86, h * 0.92), "leather_black", "saddle", 0.7)
-        b.rod(seat, (0.0, seat[1], h * 0.88), 0.012, "metal_steel", "post")
-        b.rod((-0.12, crank[1], crank[2]), (0.12, crank[1], crank[2]), 0.02, "metal_dark", "pedals")
-    b.rod(head, (0.0, front, hub), 0.018, m, "fork")
-    b.rod(head, (0.0, d * 0.2, h - 0.02), 0.014, "metal_steel", "stem")
-    b.rod((-w / 2, d * 0.16, h - 0.018), (w / 2, d * 0.16, h - 0.018), 0.016, "rubber_black", "bar")
-    b.boxes.append(Box((0.0, 0.0, h * 0.45), (min(w, 0.3), d, h * 0.9)))
+    side_wall = DrawnFace.side(b, w * 0.48)
+    ink = "paint_2f5fc8" if "white" in b.mat() else "plastic_white"
+    side_wall.write("EXPRESS", (-d * 0.45, d * 0.04), (h * 0.64, h * 0.82), ink, "letters", 0.008)
 
 
-@recipe("bike_rack")
-def bike_rack(b: Builder) -> None:
-    """Row of hoops."""
+@recipe("rowing_boat")
+def rowing_boat(b: Builder) -> None:
+    """A boat of planks with a pointed bow to the front, a flat stern, two thwarts and a pair of oars."""
     w, d, h = b.w, b.d, b.h
-    for sy in (-1, 1):
-        b.box((-w / 2, w / 2), (sy * (d / 2 - 0.03) - 0.03, sy * (d / 2 - 0.03) + 0.03), (0, 0.03), b.mat(), "rails")
-    count = max(3, round(w / 0.35))
-    for k in range(count):
-        x = -w / 2 + 0.03 + k * (w - 0.06) / (count - 1)
-        b.path(
-            [(x, -d / 2 + 0.04, 0.02), (x, -d * 0.3, h - 0.022), (x, d * 0.3, h - 0.022), (x, d / 2 - 0.04, 0.02)],
-            0.02,
-            b.mat(),
-            "hoops",
+    stations = (
+        (-0.5, 0.34, 0.0),
+        (-0.3, 0.46, 0.0),
+        (0.0, 0.48, 0.0),
+        (0.22, 0.4, 0.02),
+        (0.4, 0.2, 0.1),
+        (0.5, 0.02, 0.24),
+    )
+    rim = (0.62, 0.58, 0.56, 0.6, 0.72, 0.9)
+    for k in range(5):
+        (y0, half0, keel0), (y1, half1, keel1) = stations[k], stations[k + 1]
+        for strake, color in enumerate((b.mat(), b.mat(), "paint_white")):
+            lower, upper = strake / 3, (strake + 1) / 3
+            for side in (-1, 1):
+                ends = ((y0, half0, keel0, rim[k]), (y1, half1, keel1, rim[k + 1]))
+                quad = [
+                    (side * w * half * (0.5 + 0.5 * share**0.6), y * d, h * (keel + (top - keel) * share))
+                    for y, half, keel, top in ends
+                    for share in (lower, upper)
+                ]
+                _plank(b, quad, side, w * 0.03, color)
+        floor = [
+            (-w * half0 * 0.52, y0 * d),
+            (w * half0 * 0.52, y0 * d),
+            (w * half1 * 0.52, y1 * d),
+            (-w * half1 * 0.52, y1 * d),
+        ]
+        b.prism(floor, (h * keel0, h * (keel1 + 0.05)), "wood_walnut", "z", "floor")
+    b.box((-w * 0.34, w * 0.34), (-d / 2, -d * 0.485), (0, h * 0.62), "paint_white", "stern")
+    for y in (-0.36, -0.06, 0.22):
+        half = 0.44 if y < 0.1 else 0.34
+        b.box((-w * half, w * half), (d * (y - 0.035), d * (y + 0.035)), (h * 0.4, h * 0.44), "wood_birch", "thwarts")
+    for side in (-1, 1):
+        b.rod((side * w * 0.26, -d * 0.4, h * 0.5), (side * w * 0.3, d * 0.2, h * 0.62), 0.028, "wood_birch", "oars")
+        b.box(
+            (side * w * 0.3 - 0.08, side * w * 0.3 + 0.08),
+            (d * 0.18, d * 0.3),
+            (h * 0.6, h * 0.63),
+            "paint_red",
+            "oars",
         )
-    b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))
 
 
-@recipe("wheelchair")
-def wheelchair(b: Builder) -> None:
-    """Seat and back of cloth between large wheels."""
-    w, d, h = b.w, b.d, b.h
-    r = 0.29
-    for sx in (-1, 1):
-        x = sx * (w / 2 - 0.02)
-        _wheel(b, x, -d * 0.14, r, 0.016)
-        b.rod(
-            (sx * (w / 2 - 0.1), d * 0.24, 0.08),
-            (sx * (w / 2 - 0.07), d * 0.24, 0.08),
-            0.08,
-            "rubber_black",
-            "casters",
-            16,
-        )
-        xi = sx * (w / 2 - 0.09)
-        b.path(
-            [
-                (xi, -d / 2 + 0.02, h - 0.02),
-                (xi, -d * 0.3, h - 0.03),
-                (xi, -d * 0.28, 0.48),
-                (xi, d * 0.24, 0.48),
-                (xi, d * 0.26, 0.2),
-            ],
-            0.014,
-            "metal_steel",
-            "frame",
-        )
-        b.box((xi - 0.02, xi + 0.02), (-d * 0.25, d * 0.15), (0.68, 0.71), "plastic_black", "arms")
-        b.rod((xi, d * 0.12, 0.48), (xi, d * 0.12, 0.7), 0.012, "metal_steel", "frame")
-        b.box((xi * 0.5 - 0.07, xi * 0.5 + 0.07), (d * 0.36, d / 2), (0.1, 0.12), "plastic_black", "footrests")
-        b.rod((xi, d * 0.24, 0.46), (xi * 0.5, d * 0.4, 0.12), 0.012, "metal_steel", "frame")
-    b.box((-w / 2 + 0.09, w / 2 - 0.09), (-d * 0.28, d * 0.2), (0.46, 0.5), b.mat(), "seat")
-    b.box((-w / 2 + 0.09, w / 2 - 0.09), (-d * 0.31, -d * 0.28), (0.5, h - 0.05), b.mat(), "back")
-
-
-@recipe("walker")
-def walker(b: Builder) -> None:
-    """Walking frame."""
-    w, d, h = b.w, b.d, b.h
-    for sx in (-1, 1):
-        x = sx * (w / 2 - 0.016)
-        b.path(
-            [(x, -d / 2 + 0.016, 0.0), (x, -d * 0.3, h - 0.016), (x, d * 0.2, h - 0.016), (x, d / 2 - 0.016, 0.06)],
-            0.015,
-            b.mat(),
-            "frame",
-        )
-        b.rod((x - 0.012, d / 2 - 0.06, 0.06), (x + 0.012, d / 2 - 0.06, 0.06), 0.06, "rubber_black", "wheels", 14)
-    for z in (0.35, 0.65):
-        b.rod((-w / 2 + 0.016, d * 0.35, z), (w / 2 - 0.016, d * 0.35, z), 0.014, b.mat(), "frame")
-    b.boxes.append(Box((0.0, d * 0.3, h / 2), (w, d * 0.3, h)))
-
-
-@recipe("stroller")
-def stroller(b: Builder) -> None:
-    """Pram with hood and handle."""
-    w, d, h = b.w, b.d, b.h
-    b.wheels(0.11, 0.06)
-    b.cushion((-w * 0.4, w * 0.4), (-d * 0.3, d * 0.4), (0.42, 0.72), b.mat(), "seat", 0.6, 12)
-    b.ball((0, -d * 0.12, 0.78), (w * 0.4, d * 0.24, 0.2), b.mat(), "hood", 12)
-    for sx in (-1, 1):
-        x = sx * (w / 2 - 0.03)
-        b.path([(x, d * 0.42, 0.12), (x, -d * 0.3, 0.7), (x, -d / 2 + 0.02, h - 0.02)], 0.013, "metal_dark", "frame")
-        b.rod((x, -d * 0.42, 0.12), (x, d * 0.1, 0.5), 0.013, "metal_dark", "frame")
-    b.rod((-w / 2, -d / 2 + 0.02, h - 0.02), (w / 2, -d / 2 + 0.02, h - 0.02), 0.016, "rubber_black", "handle")
-    b.box((-w * 0.35, w * 0.35), (-d * 0.3, d * 0.3), (0.18, 0.28), "fabric_dark", "basket")
+def _plank(b: Builder, quad: list[tuple[float, float, float]], side: int, thick: float, color: str) -> None:
+    """Add a plank: four corners of its outer face, lower and upper at one station and at the next."""
+    outer = np.array([quad[0], quad[1], quad[3], quad[2]])
+    inner = outer - np.array([side * thick, 0.0, 0.0])
+    faces = [(0, 1, 2), (0, 2, 3), (4, 6, 5), (4, 7, 6)]
+    for k in range(4):
+        n = (k + 1) % 4
+        faces += [(k, k + 4, n + 4), (k, n + 4, n)]
+    table = np.array(faces)
+    b.raw(np.concatenate([outer, inner]), table if side > 0 else table[:, ::-1], color, "planks")

@@ -96,7 +96,7 @@ class CatalogueVectors:
         self._texts: dict[int, tuple[Catalogue, _Texts]] = {}
 
     def likeness(self, catalogue: Catalogue, asked: Vectors) -> Scores:
-        """Return how like a query each asset is, shape (assets,), in the catalogue's order.
+        """Return how similar each asset is to a query, shape (assets,), in the catalogue's order.
 
         It is the mean of two cosines: with the asset's text, and with that of its names which is most like it.
 
@@ -165,7 +165,7 @@ def picture_vectors(file: Path) -> dict[str, Vectors]:
         ``NOT_FOUND`` for no such file, ``INVALID_PAYLOAD`` for one of another form.
     """
     if not file.is_file():
-        raise MansionError(ErrorCode.NOT_FOUND, f"no file of asset embeddings {file}")
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no file of asset embeddings {file}")
     try:
         if file.suffix == ".json":
             raw = dict(json.loads(file.read_text(encoding="utf-8")))

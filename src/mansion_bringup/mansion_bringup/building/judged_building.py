@@ -1,4 +1,4 @@
-"""A building as its wishes are judged on it: rooms with names and contents, what they lack, shared walls and doors."""
+"""A building as its wishes are judged: rooms with names and contents, what they lack, shared walls and doors."""
 
 import math
 import re

@@ -1,4 +1,4 @@
-"""Verdicts on wishes for rooms: how many, where, of which area and beside which, and those there are not to be."""
+"""Verdicts on wishes for rooms: how many, where, how large and beside which others, and those that are not wanted."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence

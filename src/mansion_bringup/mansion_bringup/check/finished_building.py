@@ -1,4 +1,4 @@
-"""A finished building as its wishes are checked on it: its rooms by what people call them, and what its ledger asks."""
+"""A finished building as its wishes are checked: its rooms by name, and the wishes of its ledger."""
 
 import re
 from collections import defaultdict
@@ -61,7 +61,7 @@ class FinishedBuilding:
 
     @cached_property
     def owned(self) -> set[str]:
-        """The rooms inside the units that the ledger speaks of."""
+        """The rooms inside the units that the ledger names."""
         units = {(wish.scope.unit, wish.scope.unit_type, tuple(wish.scope.floors)) for wish in self.ledger}
         return {
             room.id

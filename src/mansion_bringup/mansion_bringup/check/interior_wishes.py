@@ -1,4 +1,4 @@
-"""Check that rooms hold what a description asks for, and that they are as high, finished and full as it says."""
+"""Checks that rooms hold what a description asks for, and that they are as high, finished and full as it says."""
 
 import math
 import re

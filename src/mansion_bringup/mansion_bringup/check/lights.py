@@ -1,4 +1,4 @@
-"""Checks that lamps are where they light."""
+"""Checks that every lamp is in the room that it lights."""
 
 from collections.abc import Iterator
 from typing import Final

@@ -8,7 +8,7 @@ from shapely import LineString, Polygon, STRtree, prepare
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, vertical
 from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
-from mansion_geometry.wall_sizes import DOOR_HEAD, DOORWAY_DEPTH
+from mansion_geometry.wall_sizes import DOOR_HEAD, doorway_depth
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 
 __all__ = ["carriers", "check_objects"]
@@ -121,7 +121,8 @@ def _before_doors(scene: FloorScene, placed: Sequence[Placed]) -> Iterator[Fault
         return
     tree = STRtree([shape for _, shape in standing])
     for door in scene.doors:
-        area = LineString(door.segment).buffer(DOORWAY_DEPTH, cap_style="flat")
+        line = LineString(door.segment)
+        area = line.buffer(doorway_depth(line.length, is_open=door.kind == "open"), cap_style="flat")
         for index in sorted(tree.query(area)):
             item, shape = standing[index]
             near = item.room in door.rooms

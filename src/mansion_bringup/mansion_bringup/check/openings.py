@@ -65,7 +65,7 @@ def _door(
     if door.kind == "garage" and None not in door.rooms:
         yield Fault("DOOR_ROOMS", door.id, "is a garage door but does not lead outside")
     if abs(length - door.width) > 0.02:
-        yield Fault("DOOR_WIDTH", door.id, f"states a width of {door.width:.2f} m, its opening has {length:.2f} m")
+        yield Fault("DOOR_WIDTH", door.id, f"states a width of {door.width:.2f} m, but its opening has {length:.2f} m")
     if door.kind != "open":
         yield from _in_wall(door, walls)
     line = LineString(door.segment)

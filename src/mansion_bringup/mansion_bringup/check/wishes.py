@@ -1,4 +1,4 @@
-"""Did the building become what its description asks for: the status of every wish, from geometry and furniture.
+"""Checks that the building is what its description asks for: the status of every wish, from geometry and furniture.
 
 The words of a wish are not read: its kind, value and scope are, and the finished floors. The code is apart from that
 which gives a wish its status when a building is built.
@@ -39,7 +39,7 @@ NEIGHBOURS = 1.1
 """Metres of straight wall that rooms side by side share: a door and a little on either side."""
 
 PERSON = 2.0
-"""Square metres of rooms that one person needs at the least."""
+"""Least area of rooms that one person needs, square metres."""
 
 TOILETS = frozenset({"toilet", "restroom", "accessible_toilet"})
 """Types of rooms that are all toilets."""
@@ -217,35 +217,53 @@ def _room(wish: Wish, finished: FinishedBuilding) -> str:
         and entry.scope.floors == floors
         and not entry.scope.unit
     ]
+    return (
+        _miscounted(wish, rooms, alike)
+        or _lacks_its_own(wish, finished, rooms)
+        or _wrong_areas(wish, finished, rooms, several=len(alike) > 1)
+        or _idle(finished, rooms)
+    )
+
+
+def _miscounted(wish: Wish, rooms: Sequence[tuple[int, SceneRoom]], alike: Sequence[int | None]) -> str:
+    """Say how many rooms there are where that differs from the counts of all wishes that are about them."""
+    value, floors = wish.value, wish.scope.floors
     if wish.scope.each and floors:
         there = Counter(floor for floor, _ in rooms)
         each = None if None in alike else sum(count or 0 for count in alike)
-        if any(there[floor] == 0 or each not in (None, there[floor]) for floor in floors):
-            return f"the storeys have {[there[floor] for floor in floors]} of them"
-    else:
-        numbers = [count for count in alike if count is not None]
-        if len(numbers) < len(alike) and len(rooms) < 2:
-            return "there is one"
-        missing = sum(numbers) - len(rooms)
-        if len(numbers) == len(alike) and (
-            missing > 0 or (missing < 0 and not (wish.scope.room or (value.type in PASSAGES and not floors)))
-        ):
-            return f"there are {len(rooms)}"
+        wrong = any(there[floor] == 0 or each not in (None, there[floor]) for floor in floors)
+        return f"the storeys have {[there[floor] for floor in floors]} of them" if wrong else ""
+    numbers = [count for count in alike if count is not None]
+    if len(numbers) < len(alike):
+        return "there is one" if len(rooms) < 2 else ""
+    missing = sum(numbers) - len(rooms)
+    more_allowed = wish.scope.room or (value.type in PASSAGES and not floors)
+    return f"there are {len(rooms)}" if missing > 0 or (missing < 0 and not more_allowed) else ""
+
+
+def _lacks_its_own(wish: Wish, finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
+    """Say which room is to have one of these for itself, and has none beside it."""
     if wish.scope.room:
-        for owner_floor, owner in finished.meant(wish.scope.room, wish.scope.room_type, floors):
+        for owner_floor, owner in finished.meant(wish.scope.room, wish.scope.room_type, wish.scope.floors):
             if not any(owner_floor == floor and _side_by_side(owner, room) for floor, room in rooms):
                 return f"{owner.id} has none of its own"
-    if value.area is None:
-        return _idle(finished, rooms)
+    return ""
+
+
+def _wrong_areas(
+    wish: Wish, finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]], *, several: bool
+) -> str:
+    """Say how many rooms have the area asked for where they are too few; of `several` wishes each has its share."""
+    value, floors = wish.value, wish.scope.floors
     wanted = value.area
+    if wanted is None:
+        return ""
     areas = [
         sum(part.area for part in finished.suite(floor, room)) if value.whole else room.area for floor, room in rooms
     ]
     fitting = sum(_keeps(area, value) if value.limit else _as_large(area, wanted) for area in areas)
-    needed = (value.count or 1) * (len(floors) if wish.scope.each and floors else 1) if len(alike) > 1 else len(rooms)
-    if fitting < min(needed, len(rooms)):
-        return f"{fitting} of {len(rooms)} have that area"
-    return _idle(finished, rooms)
+    needed = (value.count or 1) * (len(floors) if wish.scope.each and floors else 1) if several else len(rooms)
+    return f"{fitting} of {len(rooms)} have that area" if fitting < min(needed, len(rooms)) else ""
 
 
 def _idle(finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) -> str:

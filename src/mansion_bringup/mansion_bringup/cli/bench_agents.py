@@ -41,7 +41,7 @@ def agents(
     """Let agents do tasks and print success and progress per number of floors, with 95% intervals.
 
     Agents: random, oracle, explorer; with a language model (MANSION_LLM_...) bumble, bumble_text, come. An interrupted
-    run goes on where it ended: finished episodes are read from their logs.
+    run continues where it ended: finished episodes are read from their logs.
 
     Examples:
 

@@ -4,7 +4,7 @@ import os
 import shlex
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Final, Literal
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
@@ -21,130 +21,41 @@ from mansion_bringup.cli.console import (
     progress_bar,
 )
 from mansion_bringup.cli.receipt_table import print_own_assets, print_plan_notes, print_receipt, refuse_unmet
+from mansion_bringup.cli.request_options import (
+    Area,
+    Assets,
+    Complete,
+    FloorArea,
+    Floors,
+    FootprintFile,
+    Layers,
+    PlanFile,
+    Planner,
+    given_plan,
+    planner_name,
+    request_from_options,
+)
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_bringup.exporting import format_names
 from mansion_export.formats import ALL, export_formats, formats_of_build
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import is_building_folder
-from mansion_msgs_py.building_plan import BuildingPlan
-from mansion_msgs_py.codec import convert, decode, to_builtins
+from mansion_msgs_py.codec import decode, to_builtins
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.files import read_bytes
-from mansion_msgs_py.request import BuildRequest, Footprint
+from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import counted
 
 if TYPE_CHECKING:
     from mansion_bringup.pipeline.build import BuildResult
 
-__all__ = [
-    "ASSETS_HELP",
-    "COMPLETE_HELP",
-    "LAYERS_HELP",
-    "PLAN_HELP",
-    "given_plan",
-    "library_names",
-    "planner_name",
-    "read_footprint",
-    "register",
-    "request_from_options",
-]
+__all__ = ["register"]
 
-PLAN_HELP: Final = "A plan to furnish as it is: our JSON, GeoJSON, IFC, DXF or a room graph."
-COMPLETE_HELP: Final = "What may be added where the plan lacks it: doors, windows, or doors,windows."
-ASSETS_HELP: Final = "Libraries of your own assets that come first: NAME,NAME (mansion assets add)."
-LAYERS_HELP: Final = "Layers of a drawing: rooms=NAME,names=NAME,doors=NAME,windows=NAME."
-
-FORMATS_HELP: Final = f"What to write beside plans and a picture: {ALL}, or some of {', '.join(export_formats())}."
+FORMATS_HELP: Final = f"What to write besides plans and a picture: {ALL}, or some of {', '.join(export_formats())}."
 
 
 def register(app: typer.Typer) -> None:
     """Add the command to `app`."""
     app.command("build", cls=TextCommand, no_args_is_help=True)(build)
-
-
-def request_from_options(
-    description: str,
-    floors: int | None,
-    area: float | None,
-    floor_area: float | None,
-    footprint: Path | None,
-    seed: int,
-    planner: Literal["rules", "llm"],
-    plan: BuildingPlan | None = None,
-    assets: str = "",
-) -> BuildRequest:
-    """Return the validated request that the options make.
-
-    Raises
-    ------
-    MansionError
-        ``INVALID_PAYLOAD`` for options that do not fit, ``NOT_FOUND`` for a library of own assets that is not there.
-    """
-    fields = {
-        "description": description,
-        "floors": floors,
-        "area": area,
-        "floor_area": floor_area,
-        "footprint": read_footprint(footprint) if footprint else None,
-        "seed": seed,
-        "planner": planner,
-        "plan": None if plan is None else to_builtins(plan),
-    }
-    if names := library_names(assets):
-        fields["assets"] = names
-    return convert(BuildRequest, fields)
-
-
-def library_names(listed: str) -> list[str]:
-    """Return the libraries in a list with commas between them, all there; paths lead from the root.
-
-    Raises
-    ------
-    MansionError
-        ``NOT_FOUND`` with those that there are.
-    """
-    named = [name.strip() for name in listed.split(",") if name.strip()]
-    if not named:
-        return []
-    from mansion_assets.library.folders import stated_libraries
-
-    return stated_libraries(named)
-
-
-def given_plan(file: Path | None, complete: str, layers: str) -> BuildingPlan | None:
-    """Return the plan that the options name.
-
-    Parameters
-    ----------
-    complete : str
-        ``doors``, ``windows`` or both with a comma.
-    layers : str
-        ``rooms=NAME,doors=NAME``, for drawings.
-    """
-    for name, said in (("--complete", complete), ("--layers", layers)):
-        if file is None and said:
-            raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{name} needs a plan (--plan)")
-    if file is None:
-        return None
-    from mansion_bringup.plan_files import plan_from_file
-
-    added = convert(list[Literal["doors", "windows"]], [part.strip() for part in complete.split(",") if part.strip()])
-    pairs = [part.partition("=") for part in layers.split(",") if part.strip()]
-    return plan_from_file(file, added, {name.strip(): layer.strip() for name, _, layer in pairs})
-
-
-def read_footprint(path: Path) -> Footprint:
-    """Read a footprint: ``{"boundary": ring, "holes": [ring]}`` in metres, or GeoJSON with one polygon.
-
-    Raises
-    ------
-    MansionError
-        ``NOT_FOUND``, or ``INVALID_PAYLOAD`` with what would be accepted.
-    """
-    from mansion_msgs_py.request import footprint_from_json
-
-    expected = 'a file of {"boundary": [[x, y], ...]} or GeoJSON'
-    return footprint_from_json(read_bytes(path, expected), str(path))
 
 
 def build(
@@ -158,18 +69,16 @@ def build(
             "--from", help="Many briefs: a .txt file with one per line, a .csv or a .jsonl; other options fill gaps."
         ),
     ] = None,
-    floors: Annotated[int | None, typer.Option(min=1, max=100, help="Number of floors.")] = None,
-    area: Annotated[float | None, typer.Option(min=1, help="Gross area of the building, m2.")] = None,
-    floor_area: Annotated[float | None, typer.Option(min=1, help="Gross area of a floor, m2.")] = None,
-    footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
-    plan: Annotated[Path | None, typer.Option(help=PLAN_HELP)] = None,
-    complete: Annotated[str, typer.Option(help=COMPLETE_HELP)] = "",
-    layers: Annotated[str, typer.Option(help=LAYERS_HELP)] = "",
+    floors: Floors = None,
+    area: Area = None,
+    floor_area: FloorArea = None,
+    footprint: FootprintFile = None,
+    plan: PlanFile = None,
+    complete: Complete = "",
+    layers: Layers = "",
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same building.")] = 0,
-    planner: Annotated[
-        str, typer.Option(help="rules, or llm: a language model reads and plans, rules fill its gaps.")
-    ] = "rules",
-    assets: Annotated[str, typer.Option(help=ASSETS_HELP)] = "",
+    planner: Planner = "rules",
+    assets: Assets = "",
     formats: Annotated[str, typer.Option(help=FORMATS_HELP)] = "",
     graph: Annotated[bool, typer.Option("--graph", help="Build through the node graph.")] = False,
     jobs: Annotated[int, typer.Option(min=0, help="Floors built at once, or buildings with --from; 0: all cores.")] = 0,
@@ -312,15 +221,6 @@ def _in_processes(
     workers = jobs or min(os.cpu_count() or 1, 8)
     with progress_bar() as report:
         return build_building(request, output, jobs=workers, report=report, formats=formats, force=force)
-
-
-def planner_name(name: str) -> Literal["rules", "llm"]:
-    """Return the planner of that name, or refuse it."""
-    if name == "rules":
-        return "rules"
-    if name == "llm":
-        return "llm"
-    raise MansionError(ErrorCode.INVALID_PAYLOAD, f"unknown planner {name!r}; use rules or llm", path="$.planner")
 
 
 def _through_graph(

@@ -20,7 +20,7 @@ __all__ = ["build_briefs"]
 
 
 def build_briefs(source: Path, output: Path, defaults: BuildRequest, jobs: int, formats: Sequence[str]) -> None:
-    """Build all briefs of a file; exit status 1 where one of them came to nothing.
+    """Build all briefs of a file; exit status 1 where one of them failed.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ def build_briefs(source: Path, output: Path, defaults: BuildRequest, jobs: int, 
     defaults : BuildRequest
         What holds where a row says nothing.
     jobs : int
-        Buildings in work at once; 0: all cores.
+        Buildings that are built at once; 0: all cores.
     """
     from mansion_bringup.build_list import TABLE, build_list
     from mansion_bringup.plan_files import plan_from_file

@@ -1,11 +1,10 @@
 """``mansion check``: verify a building from its geometry and its request."""
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from mansion_bringup.cli.console import err, print_json
+from mansion_bringup.cli.console import BuildingArgument, err, print_json
 from mansion_msgs_py.wording import counted
 
 __all__ = ["register"]
@@ -17,7 +16,7 @@ def register(app: typer.Typer) -> None:
 
 
 def check(
-    building: Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")],
+    building: BuildingArgument,
     as_json: Annotated[bool, typer.Option("--json", help="Faults as JSON.")] = False,
     norms: Annotated[
         bool,

@@ -27,14 +27,14 @@ __all__ = ["Setting", "command_settings", "common_settings", "llm_settings", "re
 
 
 class Setting(msgspec.Struct, frozen=True, kw_only=True):
-    """One setting as it holds.
+    """One setting in effect.
 
     Attributes
     ----------
     command : str
         The command that it belongs to; empty for one of several commands, ``llm`` for one of the language model.
     value : object
-        What holds; null where nothing is set.
+        The value in effect; null where nothing is set.
     source : str
         The file with the key in it, a variable of the environment, or ``default``.
     """

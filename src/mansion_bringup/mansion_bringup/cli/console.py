@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 __all__ = [
     "EXIT_INTERRUPTED",
     "AsJson",
+    "BuildingArgument",
     "buildings_reporter",
     "check_output_file",
     "check_output_folder",
@@ -50,6 +51,9 @@ details = Console(stderr=True, width=None if sys.stderr.isatty() else PIPED, qui
 
 AsJson = Annotated[bool, typer.Option("--json", help="Print only the result, as JSON.")]
 """The option of every command that otherwise answers in words."""
+
+BuildingArgument = Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")]
+"""The argument of commands on a finished building."""
 
 
 def print_json(value: Any) -> None:

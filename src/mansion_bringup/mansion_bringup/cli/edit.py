@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from mansion_bringup.cli.build import ASSETS_HELP, library_names
-from mansion_bringup.cli.console import err, print_json
+from mansion_bringup.cli.console import BuildingArgument, err, print_json
+from mansion_bringup.cli.request_options import Assets, library_names
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.editing.instructions import AgentReport
@@ -28,7 +28,7 @@ def register(app: typer.Typer) -> None:
 
 
 def edit(
-    building: Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")],
+    building: BuildingArgument,
     what: Annotated[str, typer.Argument(help="An instruction, or the name of a tool.")] = "",
     arguments: Annotated[str | None, typer.Argument(help="The tool's arguments as JSON.")] = None,
     task: Annotated[Path | None, typer.Option(help="Make a task possible: its JSON, or a set of tasks.")] = None,
@@ -36,7 +36,7 @@ def edit(
     planner: Annotated[str, typer.Option(help="Who plans an instruction: rules or llm.")] = "rules",
     physics: Annotated[str, typer.Option(help="What settles objects: mujoco, static or thor.")] = "mujoco",
     who: Annotated[str, typer.Option(help="Name for the log; yours when absent.")] = "",
-    assets: Annotated[str, typer.Option(help=ASSETS_HELP)] = "",
+    assets: Assets = "",
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Show what would change; change nothing.")] = False,
     partly: Annotated[
         bool, typer.Option("--partly", help="Carry out the part that is understood and possible.")

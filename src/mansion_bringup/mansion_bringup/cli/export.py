@@ -6,7 +6,14 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.cli.console import AsJson, check_output_file, check_output_folder, err, print_json
+from mansion_bringup.cli.console import (
+    AsJson,
+    BuildingArgument,
+    check_output_file,
+    check_output_folder,
+    err,
+    print_json,
+)
 from mansion_bringup.exporting import PAGE, format_named, write_export, write_page
 from mansion_bringup.time_estimates import model_seconds, notice
 from mansion_export.formats import ExportOptions, export_formats
@@ -23,7 +30,7 @@ def register(app: typer.Typer) -> None:
 
 
 def export(
-    building: Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")],
+    building: BuildingArgument,
     to: Annotated[str, typer.Option("--to", help=", ".join(export_formats()))],
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Folder; the building's own when absent.")
@@ -61,7 +68,7 @@ def export(
 
 
 def view(
-    building: Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")],
+    building: BuildingArgument,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Page to write; DIR/view.html if absent.")
     ] = None,

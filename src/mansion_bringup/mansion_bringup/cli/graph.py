@@ -107,7 +107,7 @@ def up(
 
 
 def _watch(running: "GraphProcesses", *, respawn: bool) -> None:
-    """Stay until a node ends; start it again instead, after a while, where that is wished."""
+    """Stay until a node ends; start it again instead, after a while, where that is wanted."""
     while True:
         ended = running.ended()
         for name, status in ended.items():

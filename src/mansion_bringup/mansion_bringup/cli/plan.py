@@ -1,21 +1,25 @@
 """``mansion plan``: the program of a brief, without building it."""
 
-from pathlib import Path
 from typing import Annotated
 
 import msgspec
 import typer
 
-from mansion_bringup.cli.build import (
-    ASSETS_HELP,
-    COMPLETE_HELP,
-    LAYERS_HELP,
-    PLAN_HELP,
+from mansion_bringup.cli.console import out, print_json
+from mansion_bringup.cli.request_options import (
+    Area,
+    Assets,
+    Complete,
+    FloorArea,
+    Floors,
+    FootprintFile,
+    Layers,
+    PlanFile,
+    Planner,
     given_plan,
     planner_name,
     request_from_options,
 )
-from mansion_bringup.cli.console import out, print_json
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_msgs_py.program import BuildingProgram, FloorProgram
 from mansion_msgs_py.stages import PlanReply
@@ -30,18 +34,16 @@ def register(app: typer.Typer) -> None:
 
 def plan(
     description: Annotated[str, typer.Argument(help="The brief: English, or any language with --planner llm.")] = "",
-    floors: Annotated[int | None, typer.Option(min=1, max=100)] = None,
-    area: Annotated[float | None, typer.Option(min=1, help="Gross area of the building, m2.")] = None,
-    floor_area: Annotated[float | None, typer.Option(min=1, help="Gross area of a floor, m2.")] = None,
-    footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
-    plan: Annotated[Path | None, typer.Option(help=PLAN_HELP)] = None,
-    complete: Annotated[str, typer.Option(help=COMPLETE_HELP)] = "",
-    layers: Annotated[str, typer.Option(help=LAYERS_HELP)] = "",
+    floors: Floors = None,
+    area: Area = None,
+    floor_area: FloorArea = None,
+    footprint: FootprintFile = None,
+    plan: PlanFile = None,
+    complete: Complete = "",
+    layers: Layers = "",
     seed: Annotated[int, typer.Option(min=0)] = 0,
-    planner: Annotated[
-        str, typer.Option(help="rules, or llm: a language model reads and plans, rules fill its gaps.")
-    ] = "rules",
-    assets: Annotated[str, typer.Option(help=ASSETS_HELP)] = "",
+    planner: Planner = "rules",
+    assets: Assets = "",
     strict: Annotated[
         bool, typer.Option("--strict", help="Refuse a plan that does not fully meet every wish.")
     ] = False,

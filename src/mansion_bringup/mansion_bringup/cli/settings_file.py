@@ -200,7 +200,7 @@ class _Reader:
             raise self._fault(place, "must be true or false" if parameter.is_flag else "is no switch; give its value")
         items = value if isinstance(value, list) else [value]
         if not all(isinstance(item, str | int | float) for item in items):
-            raise self._fault(place, "must be a text, a number, or a list of them")
+            raise self._fault(place, "must be a string, a number, or a list of them")
         given: Any = value
         if parameter.multiple:
             given = [str(item) for item in items]
@@ -231,7 +231,7 @@ class _Reader:
             self._refuse_unless_named(LLM, name)
             items = value if isinstance(value, list) else [value]
             if not all(isinstance(item, str | int | float) and not isinstance(item, bool) for item in items):
-                raise self._fault(place, "must be a text, a number, or a list of them")
+                raise self._fault(place, "must be a string, a number, or a list of them")
             text = ",".join(str(item) for item in items)
             if "\0" in text:
                 raise self._fault(place, "has a character that an environment variable cannot hold")

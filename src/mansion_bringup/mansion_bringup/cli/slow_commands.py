@@ -1,4 +1,4 @@
-"""A line for commands that are slow and show no progress: what they are doing, and about how long it takes."""
+"""The notice of slow commands that show no progress: what they are doing, and about how long it takes."""
 
 import signal
 import threading

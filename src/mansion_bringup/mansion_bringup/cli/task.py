@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.table import Table
 
-from mansion_bringup.cli.console import AsJson, check_output_file, err, out, print_json
+from mansion_bringup.cli.console import AsJson, BuildingArgument, check_output_file, err, out, print_json
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import decode_from, read_bytes, write_atomic
@@ -21,7 +21,6 @@ __all__ = ["register"]
 
 group = typer.Typer(no_args_is_help=True, help="Tasks for a robot in a building.")
 
-Building = Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")]
 Output = Annotated[Path | None, typer.Option("--output", "-o", help="File to write; else standard output.")]
 
 
@@ -127,7 +126,7 @@ def _check_building(read: TaskSet, tasks: Path, sandbox: "Sandbox") -> None:
 
 @group.command(no_args_is_help=True)
 def generate(
-    building: Building,
+    building: BuildingArgument,
     count: Annotated[int, typer.Option("--count", "-n", min=1, help="How many tasks.")] = 10,
     seed: Annotated[int, typer.Option(min=0)] = 0,
     kind: Annotated[TaskKind | None, typer.Option(help="Only tasks of this kind.")] = None,
@@ -215,7 +214,7 @@ def paper(
 @group.command(no_args_is_help=True)
 def ground(
     task: Annotated[str, typer.Argument(help="File of a task in words, or a paper task's id.")],
-    building: Building,
+    building: BuildingArgument,
     output: Output = None,
 ) -> None:
     """Find what a task names in a building; exit status 2 and what is missing where it lacks something.

@@ -35,7 +35,7 @@ def about() -> dict[str, str]:
 
 
 def _middleware() -> str:
-    """Name the rclpy that is found and what it speaks through."""
+    """Name the rclpy that is found and its middleware."""
     if importlib.util.find_spec("rclpy") is None:
         return "none (no rclpy)"
     chosen = os.environ.get("RMW_IMPLEMENTATION") or "rmw_fastrtps_cpp"

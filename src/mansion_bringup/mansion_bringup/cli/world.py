@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 __all__ = ["register"]
 
+World = Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")]
+
 _EVERY = 100
 """Buildings between two lines of progress."""
 
@@ -56,7 +58,7 @@ def make(
     ] = "",
     as_json: AsJson = False,
 ) -> None:
-    """Make a world of buildings, or go on with one.
+    """Make a world of buildings, or continue one.
 
     Run again, the command continues where it stopped; with a larger number it adds buildings to the existing ones.
 
@@ -150,7 +152,7 @@ def _on_cluster(address: str, jobs: int) -> "tuple[Workers, Jobs]":
 
 
 def stats(
-    world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")],
+    world: World,
     page: Annotated[bool, typer.Option(help="Also write statistics.html into the folder.")] = True,
     as_json: AsJson = False,
 ) -> None:
@@ -181,9 +183,7 @@ def stats(
         err.print(f"wrote {world / 'statistics.html'}", highlight=False)
 
 
-def check(
-    world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")], as_json: AsJson = False
-) -> None:
+def check(world: World, as_json: AsJson = False) -> None:
     """Verify a world: manifest, hashes, each building and its tasks; exit status 1 and a line for each fault.
 
     Examples:
@@ -212,11 +212,13 @@ def check(
 
 
 def agents(
-    world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")],
+    world: World,
     names: Annotated[
         str, typer.Option("--agents", "-a", help="Names with commas between them.")
     ] = "random,explorer,oracle",
-    buildings: Annotated[int, typer.Option("--count", "-n", min=0, help="Only the first so many buildings.")] = 0,
+    buildings: Annotated[
+        int, typer.Option("--count", "-n", min=0, help="Only this many buildings, from the first on.")
+    ] = 0,
     seed: Annotated[int, typer.Option(min=0)] = 0,
     jobs: Annotated[int, typer.Option(min=0, help="Processes, 0: all cores; the result is the same.")] = 0,
     as_json: AsJson = False,
@@ -248,7 +250,7 @@ def agents(
 
 
 def pack(
-    world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")],
+    world: World,
     output: Annotated[Path, typer.Option("--output", "-o", help="New folder for the shards.")],
     shard_size: Annotated[float, typer.Option(min=0.1, help="Largest size of a shard, megabytes.")] = 500.0,
     as_json: AsJson = False,
@@ -303,9 +305,7 @@ def merge(
     out.print(f"{output}: {told}", highlight=False)
 
 
-def show(
-    world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")], as_json: AsJson = False
-) -> None:
+def show(world: World, as_json: AsJson = False) -> None:
     """Write gallery.html into a world: a picture of each building, filtered by kind, split, difficulty and words.
 
     Examples:

@@ -92,7 +92,7 @@ _REPLIES: Any = Told | Answer
 
 
 def private_folder() -> Path | None:
-    """Return the folder for sockets that none but this user can enter, made if need be; None where none is to be had.
+    """Return the folder for sockets that none but this user can enter, made if necessary; None where there is none.
 
     It lies in ``XDG_RUNTIME_DIR``, or in the temporary folder, where a folder of that name may be somebody else's.
     """
@@ -189,7 +189,7 @@ def _asked(connection: socket.socket, asked: Call, progress: CallProgress) -> An
         text = f"{asked.service}: no answer in {asked.timeout:g} s"
         raise MansionError(ErrorCode.TIMEOUT, text, details=details) from None
     except (OSError, EOFError, msgspec.DecodeError):
-        text = f"the graph ended during the call of {asked.service}; it may or may not have been done"
+        text = f"the graph ended during the call of {asked.service}, which may or may not have been carried out"
         raise MansionError(ErrorCode.UNAVAILABLE, text, details=details) from None
 
 

@@ -1,4 +1,4 @@
-"""Detect which processes behind a graph's endpoints have ended, at once where they ran on this machine.
+"""Detect which processes behind a graph's endpoints have ended, without delay where they ran on this machine.
 
 Discovery knows a killed process until its lease ends, and the lease must be long: where a busy machine lets a
 participant miss the announcements of another for that time, Fast DDS drops it and may never match all of its endpoints

@@ -22,7 +22,7 @@ def check_rclpy() -> None:
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` for a ``ROS_DOMAIN_ID`` that is none.
+        ``INVALID_PAYLOAD`` for an invalid ``ROS_DOMAIN_ID``.
         ``UNAVAILABLE`` where there is no rclpy, or where ``RMW_IMPLEMENTATION`` asks its wheels for another middleware.
     """
     if importlib.util.find_spec("rclpy") is None:

@@ -27,7 +27,7 @@ _ARRAY: Final = re.compile(r"(?P<inner>[^\[]+)(?P<length>\[\d+\])")
 
 _LEFT_OUT: Final = ("/parameter_events", "/rosout")
 _ON_DEMAND: Final = "/camera/"
-"""Part of the names of topics that are only made while somebody listens."""
+"""Part of the names of topics that are only published while they have subscribers."""
 
 QUEUE: Final = 1000
 """Messages of a topic that may wait to be written."""
@@ -82,7 +82,7 @@ class GraphRecording(Closing):
     ----------
     client : MansionClient
     output : Path
-        The file; it appears when the recording ends, and is a whole one then.
+        The file, which appears complete when the recording ends.
     topics : sequence of str
         What to record; all that is published when empty, but pictures, which are only made for those who ask.
     clock : callable

@@ -99,8 +99,8 @@ def silence(node: Node, name: str) -> str:
         return f"{full} has {counted(publishers, 'publisher')}; nothing has come yet"
     known = list(_published(node))
     if not known:
-        return f"nobody publishes {full}, nor any other topic; is the graph running (`mansion up`)?"
-    return f"nobody publishes {full}; {choices(full, known, 'topics')}"
+        return f"no node publishes {full}, nor any other topic; is the graph running (`mansion up`)?"
+    return f"no node publishes {full}; {choices(full, known, 'topics')}"
 
 
 def _published(node: Node) -> Iterator[str]:

@@ -33,6 +33,9 @@ MAX_BUILDS = 4
 EXPORTERS = min(os.cpu_count() or 1, MAX_BUILDS)
 """Processes for the exports of all builds."""
 
+_RENEWED_AFTER = 24
+"""Builds after which the export processes are started anew: what they remember of meshes grows for hundreds of them."""
+
 
 class BuildingDirector(MansionNode):
     """Serves ``build_building`` and builds what is published on ``build_requests``."""
@@ -69,6 +72,7 @@ class BuildingDirector(MansionNode):
         self._progress = JsonPublisher(self, topic("progress"))
         self._guard = threading.Lock()
         self._exporter = _exports()
+        self._built_since = 0
         self._builds = RunningCalls[BuildInWork]("builds", MAX_BUILDS)
         self._stages = MansionClient(domain_id=self.context.get_domain_id(), namespace=self.get_namespace())
         group = ReentrantCallbackGroup()
@@ -121,7 +125,7 @@ class BuildingDirector(MansionNode):
         )
 
     def cancel(self, arguments: CancelBuild) -> CanceledBuilds:
-        """Ask the builds of a building id, into a folder, or all that are in work, to end."""
+        """Ask the builds of a building id, into a folder, or all running ones, to end."""
         path = None if arguments.output is None else os.path.abspath(_expanded(arguments.output))
 
         def chosen(build: BuildInWork) -> bool:
@@ -145,8 +149,12 @@ class BuildingDirector(MansionNode):
             return self._exporter
 
     def _release_memory(self) -> None:
-        """Have the export processes give back what the last build took."""
+        """Have the export processes give back what the last build took, by new ones from time to time."""
         with self._guard, suppress(BrokenExecutor, RuntimeError):
+            self._built_since += 1
+            if self._built_since >= _RENEWED_AFTER and not self._builds.any(lambda build: True):
+                self._exporter.shutdown(wait=False)
+                self._exporter, self._built_since = _exports(), 0
             for _ in range(EXPORTERS):
                 self._exporter.submit(release_memory)
 

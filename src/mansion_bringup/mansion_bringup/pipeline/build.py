@@ -112,7 +112,7 @@ def build_building(
     exporter : Executor, optional
         Processes for the exports, where `stages` are behind services.
     jobs : int
-        Floors in work at once. The result does not depend on it.
+        Floors that are built at once. The result does not depend on it.
     report : callable
         Gets a `Progress` for each step, on the calling thread.
     cancelled : callable

@@ -171,7 +171,7 @@ class BuildingDrawing:
 
 
 def changes_of(before: ObjectState, after: ObjectState) -> list[str]:
-    """Say what is otherwise with an object than before, a line each.
+    """Return what has changed about an object, one line each.
 
     Examples
     --------

@@ -10,7 +10,7 @@ from shapely import LineString, Polygon
 from shapely.prepared import prep
 
 from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
-from mansion_geometry.wall_sizes import DOOR_HEAD, DOORWAY_DEPTH
+from mansion_geometry.wall_sizes import DOOR_HEAD, doorway_depth
 from mansion_msgs_py.scene import Door, SceneObject, SceneRoom, Window
 from mansion_msgs_py.shapes import Point
 from mansion_scene.decor.frames import room_polygon, wall_edges
@@ -23,6 +23,13 @@ NEW_DOOR_DEPTH = 0.75
 _SLACK = 1e-3
 _AT_WALL = 0.06
 _AT_WINDOW = 0.3
+
+
+def _depth(door: Door, new_doors: Collection[str]) -> float:
+    """Return the depth of the floor that is left clear on either side of a door, metres."""
+    if door.id in new_doors:
+        return NEW_DOOR_DEPTH
+    return doorway_depth(math.dist(*door.segment), is_open=door.kind == "open")
 
 
 class RoomSpace:
@@ -46,7 +53,7 @@ class RoomSpace:
         self.net = room_polygon(room.net_polygon, room.net_holes)
         self._inner = prep(self.net.buffer(2e-3))
         self._ways = [
-            LineString(door.segment).buffer(NEW_DOOR_DEPTH if door.id in new_doors else DOORWAY_DEPTH, cap_style="flat")
+            LineString(door.segment).buffer(_depth(door, new_doors), cap_style="flat")
             for door in doors
             if room.id in door.rooms
         ]

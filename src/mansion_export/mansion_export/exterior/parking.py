@@ -1,4 +1,4 @@
-"""Places to park, and the cars on some of them."""
+"""Parking spaces, and the cars on some of them."""
 
 import math
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""What grows on a plot: trees, and shrubs along the walls."""
+"""Plants on a plot: trees, and shrubs along the walls."""
 
 import math
 from collections.abc import Iterator, Sequence

@@ -1,4 +1,4 @@
-"""What stands on the flat roof of a building that is no home: air handling units and rooflights."""
+"""Plant on the flat roof of a building that is not a home: air handling units and rooflights."""
 
 from typing import Final
 

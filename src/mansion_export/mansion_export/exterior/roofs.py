@@ -1,4 +1,4 @@
-"""Roofs: pitched ones over homes, flat ones with a parapet over the rest and over what storeys above leave free."""
+"""Roofs: pitched ones over homes, flat ones with a parapet elsewhere and over what storeys above leave free."""
 
 import math
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""The name of a building that is no home, in letters over its main entrance."""
+"""The name of a building that is not a home, in letters over its main entrance."""
 
 import math
 from collections.abc import Iterator

@@ -122,22 +122,36 @@ def _bodies(document: Document, parts: Sequence[Part], frame: Frame) -> Entity |
     return document.shape(items, "Tessellation")
 
 
-def _door(document: Document, storey: Entity, door: Door, hole: _Hole, parts: Sequence[Part]) -> Entity:
+def _filling(
+    document: Document,
+    storey: Entity,
+    entity: str,
+    element: Door | Window,
+    hole: _Hole,
+    parts: Sequence[Part],
+    types: dict[str, str],
+) -> Entity:
+    """Return a door or window that fills a hole; `types` are the attributes that only its entity has."""
     made = document.root(
-        "IfcDoor",
-        door.id,
-        Name=door.id.rsplit("/", 1)[-1],
-        ObjectType=door.kind,
-        Tag=door.id,
+        entity,
+        element.id,
+        Name=element.id.rsplit("/", 1)[-1],
+        ObjectType=element.kind,
+        Tag=element.id,
         ObjectPlacement=document.placement(FLOOR, hole.entity.ObjectPlacement),
         Representation=_bodies(document, parts, hole.frame),
         OverallHeight=round(hole.height, 4),
         OverallWidth=round(hole.width, 4),
-        PredefinedType="DOOR",
-        OperationType=_operation(door),
+        **types,
     )
     document.contain(storey, made)
-    document.root("IfcRelFillsElement", door.id, RelatingOpeningElement=hole.entity, RelatedBuildingElement=made)
+    document.root("IfcRelFillsElement", element.id, RelatingOpeningElement=hole.entity, RelatedBuildingElement=made)
+    return made
+
+
+def _door(document: Document, storey: Entity, door: Door, hole: _Hole, parts: Sequence[Part]) -> Entity:
+    types = {"PredefinedType": "DOOR", "OperationType": _operation(door)}
+    made = _filling(document, storey, "IfcDoor", door, hole, parts, types)
     document.properties(made, "Pset_DoorCommon", {"IsExternal": None in door.rooms})
     return made
 
@@ -151,21 +165,8 @@ def _operation(door: Door) -> str:
 
 
 def _window(document: Document, storey: Entity, window: Window, hole: _Hole, parts: Sequence[Part]) -> Entity:
-    made = document.root(
-        "IfcWindow",
-        window.id,
-        Name=window.id.rsplit("/", 1)[-1],
-        ObjectType=window.kind,
-        Tag=window.id,
-        ObjectPlacement=document.placement(FLOOR, hole.entity.ObjectPlacement),
-        Representation=_bodies(document, parts, hole.frame),
-        OverallHeight=round(hole.height, 4),
-        OverallWidth=round(hole.width, 4),
-        PredefinedType="WINDOW",
-        PartitioningType="NOTDEFINED",
-    )
-    document.contain(storey, made)
-    document.root("IfcRelFillsElement", window.id, RelatingOpeningElement=hole.entity, RelatedBuildingElement=made)
+    types = {"PredefinedType": "WINDOW", "PartitioningType": "NOTDEFINED"}
+    made = _filling(document, storey, "IfcWindow", window, hole, parts, types)
     document.properties(made, "Pset_WindowCommon", {"IsExternal": True})
     return made
 

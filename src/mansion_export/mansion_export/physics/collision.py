@@ -1,4 +1,4 @@
-"""What physics engines collide with: floors, steps, doors and furniture, as boxes and convex hulls."""
+"""Collision shapes for physics engines: floors, steps, doors and furniture as boxes and convex hulls."""
 
 import itertools
 from collections.abc import Sequence

@@ -21,7 +21,7 @@ THUMBNAIL: Final = 256
 
 _VIEW: Final = View(azimuth=-125.0, elevation=28.0)
 _VIEW_FROM_BELOW: Final = View(azimuth=-125.0, elevation=-28.0)
-"""Of what hangs from a ceiling, as people see it."""
+"""View of what hangs from a ceiling, as people see it."""
 
 _SHINE: Final = 2.0
 """How much brighter what gives light is drawn than it were lit by the sun alone."""

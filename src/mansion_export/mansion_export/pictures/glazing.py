@@ -1,4 +1,4 @@
-"""Panes as they look from outside by day: they mirror the sky, and hide what is behind them."""
+"""Panes of glass as they look from outside by day: they mirror the sky and hide what is behind them."""
 
 from dataclasses import replace
 from typing import Final

@@ -68,7 +68,7 @@ def check_rooms(house: Json) -> list[HouseFault]:
         if not (room.get("floorMaterial") or {}).get("name"):
             faults.append(HouseFault("form", name, "floorMaterial needs a name"))
         if room.get("layer") not in LAYERS:
-            faults.append(HouseFault("layer", name, f"layer {room.get('layer')} is none of the four"))
+            faults.append(HouseFault("layer", name, f"layer {room.get('layer')} is not one of the four"))
         points = [vector(point) for point in room.get("floorPolygon", [])]
         if len(points) < 3 or any(point is None for point in points):
             faults.append(HouseFault("form", name, "floorPolygon needs three points with x, y, z"))
@@ -101,7 +101,7 @@ def check_walls(house: Json) -> list[HouseFault]:
             faults.append(HouseFault("form", name, "a wall's polygon has four points"))
             continue
         if wall.get("roomId") not in rooms:
-            faults.append(HouseFault("form", name, f"room {wall.get('roomId')} is not there"))
+            faults.append(HouseFault("form", name, f"room {wall.get('roomId')} does not exist"))
         elif wall.get("layer") != rooms[wall["roomId"]]:
             faults.append(HouseFault("layer", name, "its layer is not that of its room"))
         p0, p1, q0, q1 = corners
@@ -169,7 +169,7 @@ def check_openings(house: Json) -> list[HouseFault]:
             fault("a door needs openable and openness")
         for key in ("room0", "room1"):
             if opening.get(key) not in rooms:
-                fault(f"{key} {opening.get(key)} is not there")
+                fault(f"{key} {opening.get(key)} does not exist")
         holes.update([str(opening.get("wall0")), str(opening.get("wall1"))])
         wall, twin = walls.get(opening.get("wall0", "")), walls.get(opening.get("wall1", ""))
         if wall is None or twin is None:

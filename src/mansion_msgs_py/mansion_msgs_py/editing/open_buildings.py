@@ -52,6 +52,6 @@ class CancelEdit(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_field
 
 
 class CanceledEdits(msgspec.Struct, frozen=True, kw_only=True):
-    """Reply of ``scene/cancel``: the editors whose edits were asked to end; empty where none was in work."""
+    """Reply of ``scene/cancel``: the editors whose edits were asked to end; empty where none was running."""
 
     editors: list[str]

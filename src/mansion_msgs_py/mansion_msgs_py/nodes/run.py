@@ -27,7 +27,7 @@ INTERRUPT_WINDOW: Final = 1.0
 """Seconds in which several SIGINT are one: a launcher and its terminal both send theirs."""
 
 GRACE: Final = 2.5
-"""Seconds after which a process that was told to end does so whatever it is at; files are written atomically."""
+"""Seconds after which a process that was told to end does so whatever it is doing; files are written atomically."""
 
 SIGNALS: Final = (signal.SIGINT, signal.SIGTERM)
 

@@ -55,10 +55,44 @@ _OPENS = frozenset({"", ":", ",", "\n", "-", "*", "•", ".", "an", "with"})
 _CLOSES = frozenset({"", ",", ".", ";", "\n", "(", "with", "and", "&"})
 
 
+_BESIDE = (
+    ("next", "to"),
+    ("close", "to"),
+    ("by",),
+    ("beside",),
+    ("near",),
+    ("at",),
+    ("off",),
+    ("behind",),
+    ("adjoining",),
+)
+_DOORS = (("main", "entrance"), ("front", "entrance"), ("entrance",), ("front", "door"), ("main", "door"), ("entry",))
+
+
+def _beside_entrance(tokens: list[Token], index: int) -> int:
+    """Return where the words for the entrance end that a room before a token is to lie at: "by the entrance"; or 0."""
+    texts = [token.text for token in tokens[index : index + 6]]
+    lead = next((len(words) for words in _BESIDE if tuple(texts[: len(words)]) == words), 0)
+    if not lead or texts[lead : lead + 1] != ["the"] or not index or tokens[index - 1].kind not in ("word", "mark"):
+        return 0
+    door = next((len(w) for w in _DOORS if tuple(texts[lead + 1 : lead + 1 + len(w)]) == w), 0)
+    end = index + lead + 1 + door
+    after = tokens[end].text if end < len(tokens) else ""
+    return end if door and after in _CLOSES | {"!", "?", "-", "–", "because", "so", "for"} else 0
+
+
 def entrances(tokens: list[Token]) -> list[Token]:
-    """Read "entrance" as an entry of a list as the hall that people come in by: "ground floor: entrance, kitchen"."""
+    """Read "entrance" as the hall that people come in by: "floor 1: entrance, kitchen", "a den by the entrance"."""
     result: list[Token] = []
+    beside = 0
     for index, token in enumerate(tokens):
+        end = _beside_entrance(tokens, index)
+        beside = end or beside
+        if index < beside - 1 and token.text in ("main", "front") and tokens[index + 1].text in ("entrance", "door"):
+            continue
+        if index == beside - 1 and beside:
+            result += [replace(token, text="entrance"), replace(token, text="hall", start=token.end)]
+            continue
         result.append(token)
         before = tokens[index - 1].text if index else ""
         after = tokens[index + 1].text if index + 1 < len(tokens) else ""

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from mansion_planner.brief.facts import BriefFacts, RoomFact
+from mansion_planner.brief.facts import BriefFacts, OccupantFact, RoomFact
 from mansion_planner.brief.phrase import Phrase, is_whole_count
 from mansion_planner.brief.reading import Place, Reading
 
@@ -24,6 +24,8 @@ def read_adverts(reading: Reading, places: Sequence[Place]) -> None:
             continue
         if reading.word(index) in _SIZES_OF_BEDS and word == "bed":
             continue  # a piece of furniture
+        if word == "bed" and _counts_guests(reading, index):
+            continue
         one_more = reading.word(index - 1) in ("a", "an") and reading.word(index - 2) in ("and", ",", "plus")
         if reading.word(index + 2) == "flat" and (one_more or reading.kind(index - 1) == "number"):
             continue  # "two 2BR flats"
@@ -36,6 +38,25 @@ def read_adverts(reading: Reading, places: Sequence[Place]) -> None:
             _state(reading, "bathroom", index)
 
 
+_FOR_MANY = frozenset({"ward", "unit", "hospice", "shelter", "dormitory", "infirmary", "clinic"})
+"""Nouns of houses with many beds, whose kind of building may not be known."""
+
+
+def _counts_guests(reading: Reading, index: int) -> bool:
+    """Read "a 40-bed hospital" as one for 40 patients, who have no bedroom each; whether it was so."""
+    joined = not reading.tokens[index + 1].spaced and not reading.plural(index + 1)
+    mention = next((m for at in (index + 2, index + 3) if (m := reading.mention_at.get(at)) and m.building), None)
+    record = reading.knowledge.buildings.get(mention.building) if mention is not None else None
+    nouns = set(reading.words(index + 2, index + 4))
+    if not joined or not (nouns & _FOR_MANY or (record is not None and record.family not in ("home", ""))):
+        return False
+    ill = record is None or record.family == "health"
+    span = reading.span(index, index + 2)
+    reading.facts.occupants.append(OccupantFact(int(reading.value(index)), "patient" if ill else "guest", span))
+    reading.take(index, index + 2)
+    return True
+
+
 _SIZES_OF_BEDS = frozenset({"single", "double", "twin", "triple"})
 
 
@@ -46,6 +67,7 @@ def read_bedrooms_of_building(reading: Reading, phrase: Phrase) -> None:
             reading.kind(index) == "number"
             and reading.word(index + 1) in ("bedroom", "bed", "br")
             and not reading.tokens[index + 1].spaced
+            and all(fact.span.start != reading.tokens[index].start for fact in reading.facts.occupants)
         ) and reading.sentence[index] == reading.sentence[phrase.begin]:
             _state(reading, "bedroom", index, inside=True)
 

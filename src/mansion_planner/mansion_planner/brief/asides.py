@@ -15,6 +15,7 @@ __all__ = ["TRIALS", "aside_tokens"]
 TRIALS = frozenset(
     """
     trial test testing experiment research evaluation simulation training development study project benchmark
+    thesis dissertation coursework assignment
     evaluating competition demo demonstration dataset task learning manipulation game film movie novel campaign
     """.split()
 )
@@ -58,12 +59,17 @@ def aside_tokens(reading: Reading) -> set[int]:
 _SITES = frozenset(
     """
     town village city suburb countryside lake beach plot park neighbourhood neighborhood hill hillside mountain island
-    forest coast sea seaside river riverside meadow valley square row road
+    forest slope coast sea seaside river riverside meadow valley square row road
     """.split()
 )
 """Nouns for where a building stands, of which no plan is made."""
 _AT = frozenset({"in", "at", "on", "of", "for", "by", "near", "across", "over", "opposite"})
-_ATTRIBUTES = frozenset("the a an our my their this small little big large market quiet busy narrow old edge".split())
+_ATTRIBUTES = frozenset(
+    """
+    the a an our my their this small little big large market quiet busy narrow old edge sloping steep sunny wooded rural
+    urban corner
+    """.split()
+)
 
 
 def _site(reading: Reading, index: int) -> set[int]:
@@ -71,11 +77,14 @@ def _site(reading: Reading, index: int) -> set[int]:
     first = index
     while reading.word(first - 1) in _ATTRIBUTES and first - 1 not in reading.taken:
         first -= 1
+    last = index + 1
+    if reading.word(last) in ("near", "in", "outside", "by") and last + 1 < len(reading.tokens):
+        last += 2 * reading.tokens[last + 1].capital  # "a sloping plot near Graz"
     asks = reading.word(index - 1) in ("our", "the", "a") and reading.word(index + 1) in ("need", "want", "require")
     stands = asks or reading.word(first - 1) in _AT | (
-        {"buy", "bought", "own"} if reading.word(index) == "plot" else frozenset()
+        {"buy", "bought", "own", "have", "inherit", "inherited"} if reading.word(index) == "plot" else frozenset()
     )
-    return set(range(first - 1, index + 1)) if stands and index not in reading.taken else set()
+    return set(range(first - 1, last)) if stands and index not in reading.taken else set()
 
 
 def _excuse(reading: Reading, index: int) -> set[int]:

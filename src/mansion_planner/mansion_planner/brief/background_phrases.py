@@ -25,7 +25,10 @@ def without_bystanders(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     owner = phrases[1] if len(phrases) > 1 and _owns_building(reading, *phrases[:2]) else None
     return [
         replace(phrase, head="unknown", building="", room_type="")
-        if phrase is owner or _is_bystander(reading, phrase, sites) or _is_new_home(reading, phrases, number)
+        if phrase is owner
+        or _is_bystander(reading, phrase, sites)
+        or _is_new_home(reading, phrases, number)
+        or _is_customer(reading, phrases, number)
         else phrase
         for number, phrase in enumerate(phrases)
     ]
@@ -35,6 +38,34 @@ def _owns_building(reading: Reading, building: Phrase, owner: Phrase) -> bool:
     """Whether the second phrase only says whose building opens the brief: "Library of the faculty"."""
     opens = building.begin <= 2 and bool(building.building) and not owner.plural and not owner.counted
     return opens and reading.words(building.last, owner.begin) in (("of", "the"), ("of", "our"), ("of", "a"))
+
+
+def _is_customer(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether a phrase names those that the building works for: "a laundry for hotels", "... for schools and shops".
+
+    It stands in the plural behind what the brief opens with, or behind another of them.
+    """
+    phrase = phrases[number]
+    if not (phrase.building and phrase.plural) or phrase.counted or phrase.determiner:
+        return False
+    lead = reading.word(phrase.first - 1)
+    if lead in ("and", "or", ",") and number and phrases[number - 1].last == phrase.first - 1:
+        return _is_customer(reading, phrases, number - 1)
+    serving = reading.word(phrase.first - 2)
+    opens = 2 <= phrase.first <= _OPENING and reading.kind(phrase.first - 2) == "word"
+    return lead == "for" and opens and serving not in _PLANNED and not reading.plural(phrase.first - 2)
+
+
+_OPENING = 8
+"""Tokens before what a brief's building works for at most: "please design a new regional laundry plant for"."""
+
+_PLANNED = frozenset(
+    """
+    plan design building block concept layout model house tower space complex sketch place premises room idea storey
+    floor something one it structure centre center home me us
+    """.split()
+)
+"""What a brief wants "for offices" where it wants offices."""
 
 
 def _is_tried(reading: Reading, phrase: Phrase) -> bool:
@@ -72,6 +103,60 @@ def _is_given_up(reading: Reading, phrase: Phrase) -> bool:
     verb = reading.word(at - 1)
     traded = verb in _TRADES and reading.word(phrase.last) in ("for", "against", "with")
     return traded or verb in _PARTS_WITH
+
+
+def _is_compared(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a building is only what this one is to be like or not: "it must not feel like a hospital"."""
+    lead = reading.words(max(phrase.begin - 2, 0), phrase.begin)
+    likened = lead in (
+        ("like", "a"),
+        ("like", "an"),
+        ("resemble", "a"),
+        ("resemble", "an"),
+        ("than", "a"),
+        ("than", "an"),
+    )
+    return bool(phrase.building) and likened and not phrase.counted
+
+
+def _is_researched(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is who wants to do studies, or the studies: "our lab wants to do isolation studies"."""
+    verb = reading.words(phrase.last, phrase.last + 3)
+    who = phrase.determiner in ("our", "my", "their") and verb[:1] and verb[0] in _PLANNING
+    if who and verb[1:] and verb[1] == "to" and verb[2] in _RESEARCHING:
+        return True
+    last = reading.word(phrase.noun_end - 1)
+    done = reading.word(phrase.first - 1) in _RESEARCHING and last in TRIALS | {"study", "experiment"}
+    return done and reading.plural(phrase.noun_end - 1) and not phrase.counted
+
+
+_PLANNING = frozenset("want wants plan plans wish wishes intend intends would will".split())
+_RESEARCHING = frozenset("do conduct perform run study test try research simulate investigate train carry".split())
+
+
+def _is_host(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is the old building that the new one is made in, or one of its neighbours.
+
+    "Ground floor of an old bank", "in a former church", "it stands between two other houses".
+    """
+    if not phrase.building:
+        return False
+    words = set(reading.words(max(phrase.begin - 3, 0), phrase.noun_end))
+    lead = phrase.begin - 1
+    while lead > phrase.begin - 6 and reading.word(lead) in _BEFORE_HOSTS:
+        lead -= 1
+    part = reading.word(lead) == "of" and reading.word(lead - 1) in _PARTS_OF_HOST
+    old = not _OLD.isdisjoint(words) and not {"a", "an"}.isdisjoint(reading.words(lead + 1, phrase.begin))
+    if old and (part or reading.word(lead) in ("inside", "within")):
+        return True
+    beside = reading.word(lead) in ("between", "beside", "against") and phrase.plural
+    return beside and not _NEIGHBOURS.isdisjoint(reading.words(lead, phrase.noun_end))
+
+
+_BEFORE_HOSTS = frozenset("a an the old former disused existing historic two other another neighbouring next".split())
+_OLD = frozenset("old former disused existing abandoned redundant historic".split())
+_PARTS_OF_HOST = frozenset("floor storey level wing part half bay corner side shell walls ruin".split())
+_NEIGHBOURS = frozenset("other another neighbouring neighboring existing adjoining old".split())
 
 
 def _is_destination(reading: Reading, phrase: Phrase) -> bool:
@@ -141,7 +226,8 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
     )
     fled = not {"leaving", "fleeing", "escaping"}.isdisjoint(reading.words(max(phrase.begin - 2, 0), phrase.noun_end))
     tried = _is_tried(reading, phrase) or _is_predicate(reading, phrase)
-    owned = _is_given_up(reading, phrase) or _is_destination(reading, phrase)
+    owned = _is_given_up(reading, phrase) or _is_destination(reading, phrase) or _is_host(reading, phrase)
+    owned = owned or _is_compared(reading, phrase) or _is_researched(reading, phrase)
     made = reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to")
     made = made or (phrase.building != "" and reading.word(phrase.last) == "into" and not phrase.counted)
     return (

@@ -150,9 +150,14 @@ def _is_court(reading: Reading, index: int) -> bool:
     return open_yard and not {"around", "about", "round"}.isdisjoint(before)
 
 
+_LEADS_TO_THING = frozenset({"a", "an", "one", "the", "large", "big", "wall", "with", "and", ","})
+
+
 def read_copies(reading: Reading, places: list[Place]) -> None:
     """Read storeys that are to be identical: "floors 3 to 8 identical", "L3, L4, L5 the same", "share one plan"."""
     for index, token in enumerate(reading.tokens):
+        if index in reading.differing:
+            continue
         if _read_unchanging(reading, places, index) or _read_again(reading, places, index):
             continue
         sharing = _shares_plan(reading, index)
@@ -161,6 +166,8 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             continue
         if reading.word(index + 1) in ("time", "building", "room", "walls"):
             continue
+        if token.text == "mirror" and (token.plural or reading.word(index - 1) in _LEADS_TO_THING):
+            continue  # "a piano and a mirror"
         if token.text == "same" and reading.words(index + 1, index + 3) in (
             ("level", ","),
             ("floor", "as"),
@@ -172,6 +179,7 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             first, last = sorted((pair[0].refs[0].first, pair[1].refs[0].first))
             span = reading.span(pair[0].first, pair[1].last)
             reading.facts.copies.append(CopyFact(FloorRef("range", first, last, span), span))
+            reading.take(index, index + 1)
             continue
         if comparing and not _is_within(places, index):
             continue
@@ -313,7 +321,11 @@ def _joined(place: Place) -> FloorRef:
 def _same_as(places: list[Place], index: int, reading: Reading) -> tuple[Place, Place] | None:
     """Return the two neighbouring storeys of "floor 3: same as floor 2", "5F just like 4F"."""
     places = [p for p in places if reading.sentence[p.first] == reading.sentence[index]]
-    before = [p for p in places if 0 <= index - p.last <= 3 and p.refs[0].kind == "number" and len(p.refs) == 1]
+    before = [
+        p for p in places
+        if index - p.last >= 0 and (p.heading or index - p.last <= 3)
+        and p.refs[0].kind == "number" and len(p.refs) == 1
+    ]  # fmt: skip
     after = [p for p in places if 0 < p.first - index <= 3 and p.refs[0].kind == "number"]
     if before and after and abs(before[-1].refs[0].first - after[0].refs[0].first) == 1:
         return before[-1], after[0]

@@ -75,7 +75,15 @@ def _one_of_several(
             return several[-1]
     plural = [n for n in alike if phrases[n].plural]
     of_each = bool(plural) and (_is_measured(reading, phrase) or _is_of_each(reading, phrase))
-    return plural[-1] if of_each else None
+    inside = bool(plural) and _stands_in_one(reading, phrase)
+    return plural[-1] if of_each or inside else None
+
+
+def _stands_in_one(reading: Reading, phrase: Phrase) -> bool:
+    """Whether "two beds in a double room" tells of each of the double rooms named before."""
+    generic = phrase.determiner in ("a", "an") and phrase.count == 1 and not phrase.plural
+    thing = reading.kind(phrase.begin - 3) == "word" and reading.kind(phrase.begin - 4) == "number"
+    return generic and reading.word(phrase.begin - 2) == "in" and thing and reading.starts(phrase.begin - 4)
 
 
 def _other_mention(
@@ -95,7 +103,8 @@ def _other_mention(
     if earlier:
         return _best(phrases, phrase, earlier[::-1])
     later = [n for n in others if n > number and phrases[n].determiner not in ("the", "this", "that", "its")]
-    if phrase.determiner in ("each", "every", "all") and any(phrases[n].counted for n in later):
+    of_all = phrase.determiner == "the" and phrase.plural and not phrase.counted and "_" not in phrase.name
+    if (phrase.determiner in ("each", "every", "all") or of_all) and any(phrases[n].counted for n in later):
         return next(n for n in later if phrases[n].counted)  # "a desk in each bedroom; three bedrooms"
     if later and (operand or _is_inside(reading, phrase)) and phrase.determiner not in _INTRODUCING:
         return _best(phrases, phrase, later)

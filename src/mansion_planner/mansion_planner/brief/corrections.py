@@ -71,19 +71,92 @@ def _word(tokens: list[Token], index: int) -> str:
     return tokens[index].text if 0 <= index < len(tokens) else ""
 
 
+_CHANGED = frozenset(
+    """
+    cut cuts reduce reduces reduced lower lowered raise raised increase increased trim trimmed change changed bring
+    brought limit limited drop dropped shrink shrank shrunk bump bumped expand expanded correct corrected revise revised
+    go went come came set knock knocked whittle whittled settle settled agree agreed become became
+    """.split()
+)
+"""Verbs that tell the number that something has in the end: "the board cut it to four"."""
+_TURNS = frozenset(
+    {"but", "then", "however", "yet", "though", "later", "now", ",", "(", "-", "–", "since", "meanwhile", "so"}
+)
+_MOVED = frozenset("it them that this these those number down up back have been be was were has to at on with".split())
+_LONGEST_SUBJECT = 7
+
+
+def _changed_to(tokens: list[Token], before: list[Token], index: int) -> tuple[int, int, int] | None:
+    """Return what `_correction` does of "five rooms, but the board cut it to four" and "(reduced to four)"."""
+    if _word(tokens, index) not in _TURNS:
+        return None
+    number = 0
+    for at in range(index + 1, index + 2 + _LONGEST_SUBJECT):
+        if at >= len(tokens) or tokens[at].kind != "word":
+            return None
+        number = _number_after(tokens, at) if tokens[at].text in _CHANGED else 0
+        if number:
+            break
+    if not number:
+        return None
+    earlier = _taken_back(tokens, before, number, counts=_word(tokens, number + 1) not in AREA)
+    if earlier is None or before[earlier].value == tokens[number].value:
+        return None
+    return earlier, number, _end(tokens, before, earlier, number, opened=_word(tokens, index))
+
+
+def _number_after(tokens: list[Token], verb: int) -> int:
+    """Return the token of the number that "cut it to four" and "became four" end with; 0 where there is none."""
+    number = verb + 1
+    while _word(tokens, number) in _MOVED:
+        number += 1
+    to = _word(tokens, number - 1) in ("to", "at", "on", "with") or _word(tokens, verb) in ("become", "became")
+    return number if to and number < len(tokens) and tokens[number].kind == "number" else 0
+
+
+_RECALLING = frozenset({"that", "it", "this", "those", "these", "they"})
+_GOING_ON = frozenset(
+    """
+    now today meanwhile instead we i they it you need want have is are only just should be must take make has this year
+    """.split()
+)
+_LONGEST_RECALL = 9
+
+
+def _after_recall(tokens: list[Token], index: int) -> int:
+    """Return where the number stands in "(no,) that was last year, now we need 24"; `index` where there is none."""
+    if _word(tokens, index) not in _RECALLING or _word(tokens, index + 1) not in ("was", "were", "is", "are"):
+        return index
+    at = index + 2
+    while at < len(tokens) and _word(tokens, at) not in PAUSES | {".", ";"} and at - index < _LONGEST_RECALL:
+        at += 1
+    if _word(tokens, at) not in PAUSES | {".", ";"}:
+        return index
+    at += 1
+    while _word(tokens, at) in _GOING_ON:
+        at += 1
+    return at if at < len(tokens) and tokens[at].kind == "number" else index
+
+
 def _correction(tokens: list[Token], before: list[Token], index: int) -> tuple[int, int, int] | None:
     """Return which earlier number is taken back at a token, the token of the later one, and where that ends."""
+    changed = _changed_to(tokens, before, index)
+    if changed is not None:
+        return changed
     at, ended = _after_marks(tokens, index)
     paused, first, weak, signs, counts = at > index, at, True, 0, False
     while (sign := sign_at(tokens, at)) is not None:
         weak, signs, counts = weak and sign in WEAK, signs + 1, counts or sign in _MISCOUNTED
         at, _ = _after_marks(tokens, at + len(sign))
+    at = _after_recall(tokens, at) if at > first else at
     if at == first or (weak and not paused) or at >= len(tokens) or tokens[at].kind != "number":
         return None
     if ended and weak and signs < 2:
         return None  # "Two bedrooms. No 3D cinema."
     spelt = tokens[at].text.isalpha() and _word(tokens, at + 1) not in AREA  # nobody spells an area without its unit
     earlier = _taken_back(tokens, before, at, counts=counts or spelt)
+    if earlier is None and signs > 1 and not weak:
+        earlier = _named_long_before(tokens, before, at)
     return None if earlier is None else (earlier, at, _end(tokens, before, earlier, at, opened=_word(tokens, index)))
 
 
@@ -137,6 +210,17 @@ def _taken_back(tokens: list[Token], before: list[Token], number: int, *, counts
         if any(before[noun].text == of for noun in range(at + 1, min(at + 4, len(before)))):
             return at
     return None
+
+
+def _named_long_before(tokens: list[Token], before: list[Token], number: int) -> int | None:
+    """Return the last number before of the noun that a later one has: "3 groups. ... Sorry, make that 4 groups"."""
+    noun = _word(tokens, number + 1)
+    if noun in _ENDS or noun in AREA:
+        return None
+    return next(
+        (at for at in range(len(before) - 1, -1, -1) if before[at].kind == "number" and _word(before, at + 1) == noun),
+        None,
+    )
 
 
 def _end(tokens: list[Token], before: list[Token], earlier: int, number: int, *, opened: str) -> int:

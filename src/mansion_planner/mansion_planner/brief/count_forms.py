@@ -131,10 +131,13 @@ def _multiplied(tokens: list[Token], index: int) -> _Form | None:
 
 
 def _abbreviated_each(tokens: list[Token], index: int) -> _Form | None:
-    """Read "16 m2 ea" as "16 m2 each"."""
-    if tokens[index].text != "ea" or index == 0 or tokens[index - 1].kind != "unit":
+    """Read "16 m2 ea" and "two offices, 1 phone booth ea.;" with "each"."""
+    if tokens[index].text != "ea" or index == 0 or tokens[index - 1].kind not in ("unit", "word"):
         return None
-    return _Form((replace(tokens[index], text="each"),), index + 1)
+    goes_on = _word(tokens, index + 1) == "." and (
+        _word(tokens, index + 2) in (";", ",", ")") or _goes_on(tokens, index + 1)
+    )
+    return _Form((replace(tokens[index], text="each"),), index + 1 + goes_on)
 
 
 def _repeated_noun(tokens: list[Token], index: int) -> _Form | None:

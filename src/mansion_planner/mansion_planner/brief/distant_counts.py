@@ -33,6 +33,8 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
             phrases[following] = replace(phrases[following], count=int(token.value), counted=True)
             reading.take(index, index + 1)
             continue
+        if _counts_list(reading, phrases, index):
+            continue
         apiece = reading.word(index - 1) == "(" and reading.words(index + 1, index + 3) in (
             ("each", ")"),
             ("apiece", ")"),
@@ -50,16 +52,47 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
             reading.take(index, index + (3 if of_them else 1))
 
 
+def _counts_list(reading: Reading, phrases: list[Phrase], index: int) -> bool:
+    """Read "server halls, 2 each" and "offices on the mezzanine (5)" as so many rooms; whether it was so."""
+    before = [n for n, p in enumerate(phrases) if p.last <= index and p.head != "unknown"]
+    room = phrases[before[-1]] if before else None
+    if room is None or room.head not in ("room", "building") or room.counted or not (room.plural and room.room_type):
+        return False
+    if reading.sentence[room.first] != reading.sentence[index]:
+        return False
+    bracketed = reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and index - room.last <= _NEAR
+    each = reading.word(index - 1) == "," and reading.word(index + 1) == "each" and room.last == index - 1
+    each = each and (reading.breaks(index + 2) or reading.word(index + 2) == ",")
+    if not (bracketed or each):
+        return False
+    phrases[before[-1]] = replace(room, count=int(reading.value(index)), counted=True)
+    reading.take(index, index + 1 + each)
+    return True
+
+
+_NEAR = 6
+"""Tokens between rooms and their number in a bracket behind their storey, at most."""
+
+
 def read_counts_by_room(reading: Reading, phrases: list[Phrase]) -> None:
     """Read "three screens and a projection room for each screen" as three projection rooms."""
     for number, (phrase, of_each) in enumerate(itertools.pairwise(list(phrases))):
         lead = reading.words(phrase.last, of_each.begin)
         single = phrase.head == "room" and phrase.count == 1 and not phrase.plural and phrase.determiner != "the"
+        counted = [p for p in phrases[:number] if p.name == of_each.name and p.counted and (p.count or 0) > 1]
+        beside = not _BESIDE.isdisjoint(lead) and of_each.determiner in ("each", "every") and len(lead) < 5
+        earlier = [n for n, p in enumerate(phrases[:number]) if p.name == phrase.name and p.plural and not p.counted]
+        if single and beside and len(counted) == 1 and earlier:
+            phrases[earlier[-1]] = replace(phrases[earlier[-1]], count=counted[0].count, counted=True)
+            phrases[number] = replace(phrase, counted=False, determiner="each")
+            continue
         if not single or of_each.head != "room" or lead not in (("for", "each"), ("for", "every"), ("per",)):
             continue
-        counted = [p for p in phrases[:number] if p.name == of_each.name and p.counted and (p.count or 0) > 1]
         if len(counted) == 1:
             phrases[number] = replace(phrase, count=counted[0].count, counted=True)
+
+
+_BESIDE = frozenset({"touching", "next", "beside", "adjoining", "adjacent", "attached", "behind", "by", "bordering"})
 
 
 def _count_apiece(reading: Reading, phrases: list[Phrase], index: int) -> bool:
@@ -311,6 +344,9 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
             if (
                 phrase.head == "room"
                 and subject != "room"
+                and not (
+                    phrase.determiner in ("its", "own") and number and phrases[number - 1].count == counts[subject]
+                )
                 and phrase.first > index
                 and reading.sentence[phrase.first] == reading.sentence[index]
                 and phrase.count == 1
@@ -320,6 +356,14 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
             ):
                 phrases[number] = replace(phrase, count=counts[subject], counted=True)
         reading.take(index, index + 2)
+        _take_number(reading, subject, counts[subject])
+
+
+def _take_number(reading: Reading, noun: str, count: int) -> None:
+    """Take the number that groups were counted by: "60 children in three groups"."""
+    for at in range(len(reading.tokens) - 1):
+        if reading.value(at) == count and reading.kind(at) == "number" and reading.word(at + 1) == noun:
+            reading.take(at, at + 2)
 
 
 _SHARED = frozenset({"shared", "common", "communal"})

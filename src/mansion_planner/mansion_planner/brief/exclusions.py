@@ -176,7 +176,8 @@ _WORDS_BETWEEN = frozenset({"also", "too", "upstairs", "upstair", "downstairs", 
 def _refusing_words(reading: Reading, last: int) -> tuple[str, ...]:
     """Return the words right after a phrase that say that it is not wanted: "is not needed", ", no"; or nothing."""
     after = next((p for p in _AFTER if reading.words(last, last + len(p)) == p), None)
-    if after is not None:
+    leads_on = after == (":", "no") and not (reading.breaks(last + 2) or reading.word(last + 2) in (",", ")", "and"))
+    if after is not None and not leads_on:  # "not like a hospital: no operating room"
         return after
     word, following = reading.words(last, last + 2)
     if word == "no" and (reading.breaks(last + 1) or following == ","):

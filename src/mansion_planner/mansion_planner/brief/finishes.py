@@ -98,6 +98,11 @@ _STYLE_NOUNS = frozenset(
 )
 
 
+_OF_THE_COUNTRY = frozenset(
+    {"house", "manor", "home", "estate", "hotel", "inn", "villa", "retreat", "club", "pub", "school"}
+)
+
+
 def read_style(reading: Reading, *, named: bool) -> None:
     """Read the style; a style word inside a room's name ("modern kitchen") counts as well.
 
@@ -114,6 +119,8 @@ def read_style(reading: Reading, *, named: bool) -> None:
             continue  # "two bright bedrooms" and "a grand hall" say nothing of the building
         if reading.word(mention.last) in ("rectangle", "rectangular", "box", "outline", "art"):
             continue
+        if reading.word(mention.first) == "country" and reading.word(mention.last) in _OF_THE_COUNTRY:
+            continue  # where it stands
         if _is_too_much(reading, mention.first):
             reading.take(mention.first - 2, mention.last)
             continue

@@ -121,6 +121,8 @@ _MEANT = {
     "bunk": "bunk_bed",
     "berth": "single_bed",
     "cot": "crib",
+    "concert grand": "grand_piano",
+    "steinway": "grand_piano",
 }
 """Category that a phrase means here, before the catalogue's own names and synonyms; empty for none."""
 

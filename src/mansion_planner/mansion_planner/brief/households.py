@@ -53,7 +53,8 @@ class _Households:
         """Read the rooms that each statement gives the units."""
         for phrase in [p for p in self.phrases if p.first in self.found.units]:
             every = phrase.determiner in ALL and (phrase.determiner == "each" or not phrase.counted)
-            those = phrase.determiner in ("the", "these", "those") and phrase.plural and self._named_before(phrase)
+            again = phrase.plural or (phrase.determiner == "the" and not phrase.counted and self._leads_list(phrase))
+            those = phrase.determiner in ("the", "these", "those") and again and self._named_before(phrase)
             if every or those:
                 self._of_all(phrase)
             else:
@@ -103,6 +104,10 @@ class _Households:
             self._give([unit.first], rooms)
         else:
             self._give(owners, rooms)
+
+    def _leads_list(self, unit: Phrase) -> bool:
+        """Whether what a unit holds follows right after it: "Upstairs the flat: two bedrooms"."""
+        return self.reading.word(unit.last) in (":", "has", "with", "have", "contain", "get")
 
     def _named_before(self, unit: Phrase) -> bool:
         return any(p.first < unit.first and p.first in self.found.units and _alike(unit, p) for p in self.phrases)

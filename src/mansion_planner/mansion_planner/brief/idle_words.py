@@ -19,7 +19,7 @@ _TIMES = frozenset(
 )
 _TALK = frozenset(
     """
-    hey hi hello dear greetings thanks thank cheers please regards sincerely faithfully right okay ok well anyway
+    hey hi hello quick dear greetings thanks thank cheers please regards sincerely faithfully right okay ok well anyway
     honestly frankly basically actually obviously clearly apparently supposedly incidentally btw fyi eh ah aha hm
     alas yeah yep nope sir madam respect pardon apology sorry bless god heaven word question answer story joke
     advice opinion idea head how thought kind sort thing stuff matter lot bit bunch example instance fact point case
@@ -140,10 +140,18 @@ def is_date_or_age(reading: Reading, index: int) -> bool:
         return True  # "we open at seven"
     if after in _SPANS:
         return True  # "in three weeks", "three generations"
+    if (
+        before in ("over", "almost", "nearly", "past")
+        and closes
+        and reading.word(index - 2) in _BOTH
+        and value <= _OLDEST
+    ):
+        return True  # "my parents (both over 70)"
     aged = (before in _AGED or before in _SOMEBODY) and (closes or after == "year") and 1 < value <= _OLDEST
     return aged and (before in _SOMEBODY or _has_somebody(reading, index - 1))
 
 
+_BOTH = frozenset({"both", "are", "is", "all", "am"})
 _SPANS = frozenset("day week weekend month year decade century hour minute night season generation shift time".split())
 _SOMEBODY = frozenset(
     {"i", "he", "she", "mother", "father", "mum", "mom", "dad", "grandma", "grandpa", "aunt", "uncle"}

@@ -41,6 +41,11 @@ def _group(tokens: list[Token], index: int) -> tuple[list[Token], int] | None:
     made: list[Token] = []
     at, labels = index + 3, 0
     while labels < tokens[index].value:
+        others = _others_end(tokens, at) if labels else None
+        if others is not None:
+            made += _others(tokens, at, others, noun, int(tokens[index].value) - labels)
+            at, labels = others + 2, int(tokens[index].value)
+            break
         end = _label_end(tokens, at)
         if end is None:
             return None
@@ -55,6 +60,33 @@ def _group(tokens: list[Token], index: int) -> tuple[list[Token], int] | None:
             at = joints
     closed = mark.text == "(" and at < len(tokens) and tokens[at].text == ")"
     return made, at + closed
+
+
+_OTHERS = frozenset({"other", "rest", "remaining", "further"})
+
+
+def _others_end(tokens: list[Token], index: int) -> int | None:
+    """Return where "the other two" ends before an area; none where it does not stand there."""
+    end = index
+    while end < len(tokens) and end - index < _LONGEST + 1 and tokens[end].kind != "unit":
+        number = tokens[end].kind == "number"
+        if end + 1 < len(tokens) and number and tokens[end + 1].text in AREA:
+            break
+        if not (number or tokens[end].text in _OTHERS | {"the"}):
+            return None
+        end += 1
+    said = {token.text for token in tokens[index:end]}
+    measured = end + 1 < len(tokens) and tokens[end].kind == "number" and tokens[end + 1].text in AREA
+    return end if measured and said & _OTHERS else None
+
+
+def _others(tokens: list[Token], first: int, end: int, noun: Token, many: int) -> list[Token]:
+    """Return so many rooms with the area that follows "the other two"."""
+    start, last = tokens[first].start, tokens[end - 1].end
+    number = Token("number", str(many), start, last, float(many))
+    rooms = replace(noun, plural=many > 1, start=last, end=last)
+    each = Token("word", "each", tokens[end + 1].end, tokens[end + 1].end)
+    return [number, rooms, Token("word", "of", last, last), *tokens[end : end + 2], each]
 
 
 def _label_end(tokens: list[Token], index: int) -> int | None:

@@ -123,6 +123,9 @@ def _placed_again(
         open_yet = named not in attached or named in mentioned  # "away from the toilets" puts them nowhere
         placed = number in attached and open_yet and number not in operands
         again = phrase.name == room.name and room.count in (1, None) and not phrase.counted and named < number
+        several = phrase.plural and phrase.determiner == "the" and not phrase.counted and phrase.name == room.name
+        if placed and several and (room.count or 0) > 1:
+            attached[named] = Attachment(attached[number].refs)  # "three bedrooms ... all but the bedrooms downstairs"
         if placed and again:
             place = attached[number]
             attached[named] = place if room.plural else Attachment(place.refs)

@@ -41,12 +41,15 @@ class Lexicon:
         Every word of a phrase, for the correction of misspellings.
     heads : frozenset of str
         The last words of the names of rooms and buildings.
+    building_heads : frozenset of str
+        The last words of the names of buildings that are those of no room.
     """
 
     phrases: dict[tuple[str, ...], _Meaning]
     longest: int
     words: frozenset[str]
     heads: frozenset[str]
+    building_heads: frozenset[str]
 
     def find(self, tokens: list[Token]) -> list[Mention]:
         """Return the longest phrases from left to right, without overlap."""
@@ -105,9 +108,11 @@ def _make(knowledge: KnowledgeBase) -> Lexicon:
     for style in knowledge.styles.values():
         add("style", style.name, style.synonyms)
     table = {key: _Meaning(**meaning) for key, meaning in phrases.items()}
+    rooms = {key[-1] for key, meaning in table.items() if meaning.room}
     return Lexicon(
         phrases=table,
         longest=max(len(key) for key in table),
         words=frozenset(word for key in table for word in key),
         heads=frozenset(key[-1] for key, meaning in table.items() if meaning.room or meaning.building),
+        building_heads=frozenset(key[-1] for key, meaning in table.items() if meaning.building) - rooms,
     )

@@ -122,13 +122,21 @@ def _of_the_two(reading: Reading, first: int, last: int) -> bool:
     )
 
 
+def _owners(reading: Reading, phrases: list[Phrase], before: list[int], index: int) -> list[int]:
+    """Return the two that "the director and her assistant, whose offices must adjoin" tells of; none elsewhere."""
+    whose = next((at for at in range(index - 1, max(index - 6, 0), -1) if reading.word(at) == "whose"), 0)
+    pair = [number for number in before if phrases[number].last <= whose][-2:]
+    joined = len(pair) == 2 and "and" in reading.words(phrases[pair[0]].last, phrases[pair[1]].first)
+    return pair if whose and joined else []
+
+
 def mutual_relation(
     reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int
 ) -> Relation | None:
     before = rooms_in_sentence(reading, phrases, rooms, index, before=True)
     if not before:
         return None
-    pair = before[-2:]
+    pair = _owners(reading, phrases, before, index) or before[-2:]
     if len(pair) == 1:
         if not phrases[pair[0]].plural and phrases[pair[0]].count in (1, None):
             return None

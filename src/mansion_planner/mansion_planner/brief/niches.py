@@ -54,6 +54,10 @@ def read_niches(reading: Reading, phrases: list[Phrase], building: int | None) -
         The phrase that names the building.
     """
     for number, phrase in enumerate(phrases):
+        if _is_desk_within(reading, phrases, number):
+            category = furniture_of(reading.words(phrase.noun_end - 1, phrase.noun_end))[0]
+            phrases[number] = replace(phrase, head="object", category=category, room_type="")
+            continue
         stage = _is_bare_stage(phrase)
         if not (stage or _is_niche(reading, phrase)) or not _is_part(reading, phrases, number, building):
             continue
@@ -62,6 +66,23 @@ def read_niches(reading: Reading, phrases: list[Phrase], building: int | None) -
         if category:
             label = phrase.label if stage else phrase.label.rpartition(" ")[0] or phrase.label
             phrases[number] = replace(phrase, head="object", category=category, room_type="", label=label)
+
+
+_DESKS = frozenset({"desk", "counter", "till", "checkout"})
+
+
+def _is_desk_within(reading: Reading, phrases: Sequence[Phrase], number: int) -> bool:
+    """Whether a desk that would be a place of its own stands in a room: "a ticket desk in the foyer"."""
+    phrase = phrases[number]
+    if phrase.head != "room" or phrase.areas or reading.word(phrase.noun_end - 1) not in _DESKS:
+        return False
+    after = phrases[number + 1] if number + 1 < len(phrases) else None
+    within = after is not None and after.head == "room"
+    return within and reading.words(phrase.last, after.begin if after else 0) in (
+        ("in", "the"),
+        ("in", "a"),
+        ("inside", "the"),
+    )
 
 
 def _is_bare_stage(phrase: Phrase) -> bool:

@@ -34,13 +34,8 @@ from mansion_planner.brief.room_names import (
 )
 from mansion_planner.brief.room_users import with_users, with_users_before
 from mansion_planner.brief.rooms_named_again import room_by_its_contents, rooms_named_again
-from mansion_planner.brief.similarity import (
-    HEAD_TYPES,
-    elliptic_room_type,
-    room_of_building,
-    similar_room_type,
-    told_room_type,
-)
+from mansion_planner.brief.rooms_of_staff import OFFICE_HOLDERS, with_rooms_of_staff
+from mansion_planner.brief.similarity import HEAD_TYPES, room_of_building, similar_room_type, told_room_type
 
 __all__ = ["noun_phrases"]
 
@@ -80,7 +75,7 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     counted = {phrase.name: phrase.first for phrase in phrases[::-1] if phrase.counted and (phrase.count or 0) > 1}
     phrases = [part for phrase in phrases for part in with_designators(reading, phrase, numbered, counted)]
     phrases = _with_own_names(reading, phrases)
-    phrases = [_room_of_staff(reading, phrases, phrase) for phrase in phrases]
+    phrases = [_room_of_goods(reading, phrases, phrase) for phrase in with_rooms_of_staff(reading, phrases)]
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
     phrases = [room_by_its_contents(reading, phrases, phrase) for phrase in phrases]
     phrases += rooms_named_again(reading, chunks, phrases)
@@ -89,22 +84,20 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     return sorted(by_own_name(reading, with_sizes(reading, phrases)), key=lambda phrase: phrase.first)
 
 
-def _room_of_staff(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> Phrase:
-    """Return the room of those whom a list of rooms names in its place: "head teacher, sick bay, staff"."""
-    alone = phrase.head == "people" and not (phrase.counted or phrase.determiner or phrase.plural)
-    if not alone or reading.word(phrase.noun_end - 1) not in _HAVE_ROOMS:
+def _room_of_goods(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> Phrase:
+    """Return the store that a list of rooms names by its goods alone: "dirty utility, linen, relatives' lounge"."""
+    bare = phrase.head == "object" and not (phrase.counted or phrase.determiner or phrase.plural)
+    if not bare or reading.words(phrase.begin, phrase.noun_end) not in _GOODS or reading.word(phrase.begin - 1) != ",":
         return phrase
-    before, after = reading.word(phrase.first - 1), reading.word(phrase.last)
-    sentence = reading.sentence[phrase.first]
-    listed = before in (",", ":", ";") and (after in (",", ";", ".", "\n", "") or (after == "and" and before != ":"))
-    if not listed or not any(p.head == "room" and abs(reading.sentence[p.first] - sentence) <= 1 for p in phrases):
+    before = any(p.head == "room" and p.last == phrase.begin - 1 for p in phrases)
+    after = any(p.head == "room" and p.begin == phrase.last + 1 for p in phrases)
+    if not (before and after and reading.word(phrase.last) in (",", "and")):
         return phrase
-    kind = elliptic_room_type(reading.words(phrase.begin, phrase.noun_end), reading.knowledge)
-    return replace(phrase, head="room", room_type=kind or "private_office", known=bool(kind))
+    return replace(phrase, head="room", room_type="storage", category="", known=False)
 
 
-_HAVE_ROOMS = frozenset("staff teacher nurse doctor consultant priest judge officer technician".split())
-"""Who has a room of their own in a building."""
+_GOODS = frozenset({("linen",), ("luggage",), ("equipment",), ("mail",), ("wine",), ("medication",), ("archive",)})
+"""Things that a room is called after where they are kept."""
 
 
 def _with_own_names(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
@@ -246,8 +239,18 @@ def _phrases_of(reading: Reading, begin: int, end: int) -> list[Phrase]:
     return phrases
 
 
+def _ends_scope(reading: Reading, begin: int, end: int) -> bool:
+    """Whether the room that "in every classroom low shelves" opens with ends before a token."""
+    if reading.word(begin - 1) not in ("every", "each") or reading.word(begin - 2) not in ("in", "inside"):
+        return False
+    mention = reading.mention_at.get(begin)
+    return mention is not None and bool(mention.room) and mention.last < end and reading.starts(begin - 2)
+
+
 def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | None:
     """Return the phrase of tokens `begin` to `end` if the last of them can be its head."""
+    if _ends_scope(reading, begin, end):
+        return None
     if _goes_on(reading, begin, end, whole=whole) or is_figurative(reading, begin, end):
         return None
     mention = _mention_ending(reading, begin, end)
@@ -394,7 +397,8 @@ def _without_plurals(name: str) -> list[str]:
 def _people_or_furniture(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | None:
     """Return the people or the furniture of the asset catalogue that some tokens name."""
     last = reading.word(end - 1)
-    if last in PEOPLE:
+    tells_whose = not whole and last == "guest" and not reading.plural(end - 1)  # "guest Stube"
+    if (last in PEOPLE and not tells_whose) or (last in OFFICE_HOLDERS and end - begin == 1):
         return finished_phrase(reading, "people", begin, end)
     category, _ = furniture_of(reading.words(begin, end))
     if last == "island" and reading.word(count_before(reading, begin, end)[0] - 1) in ("of", "on", "at"):

@@ -122,10 +122,11 @@ class NumberedStoreys:
         if counts and not self._is_titled(index, last):
             return None  # "level 2 bedrooms" has no plural room of one level: the number counts the rooms
         numbers, ended = [first], False
-        while reading.word(last) in (",", "and", "&") and not ended:
+        while reading.word(last) in (",", "and", "&", "+") and not ended:
             step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
             more = self._number(last + step, "number")
-            if more is None or not reading.plural(index) or more <= numbers[-1]:
+            several = reading.plural(index) or self._are_two(index, last)
+            if more is None or not several or more <= numbers[-1]:
                 break
             if reading.kind(last + step + 1) == "unit" or reading.plural(last + step + 1):
                 break
@@ -133,6 +134,13 @@ class NumberedStoreys:
             numbers.append(more)
             last += step + 1
         return [FloorRef("number", number, number) for number in numbers], last
+
+    def _are_two(self, index: int, joint: int) -> bool:
+        """Whether "level 1 and 2" opens what both hold: the next number counts no rooms."""
+        reading, after = self.reading, joint + 2
+        follows = reading.value(joint + 1) == reading.value(joint - 1) + 1 and reading.word(joint) in ("and", "&", "+")
+        counts = reading.plural(after) or reading.plural(after + 1)
+        return reading.starts(index) and follows and (reading.word(after) in (":", ",", "=") or not counts)
 
     def _heads_count(self, index: int, dash: int) -> bool:
         """Whether a dash parts one storey from what it holds: "Level 1 - six offices", and not "level 1-6"."""

@@ -70,7 +70,7 @@ PLAIN = frozenset(
     additional further single double twin double-height attached detached dedicated internal external indoor outdoor
     comfortable elegant luxurious standard normal typical regular usual proper real full complete whole entire
     proper sunny airy welcoming ample decent suitable appropriate minimum maximum max min identical equal different
-    adjoining adjacent neighbouring neighboring nearby accessible wooden
+    adjoining adjacent neighbouring neighboring nearby accessible wooden self contained self-contained
     """.split()
 )
 """Adjectives that say how a room is, and are no part of its name."""

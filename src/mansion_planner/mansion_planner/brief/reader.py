@@ -12,6 +12,7 @@ from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.absences import read_absent_parts
 from mansion_planner.brief.accessible_parts import with_accessible_ones
 from mansion_planner.brief.adverts import among_adverts, read_adverts, read_bedrooms_of_building
+from mansion_planner.brief.all_but_some import place_all_others, place_some, read_all_but_some
 from mansion_planner.brief.area_words import Measure
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
@@ -25,6 +26,7 @@ from mansion_planner.brief.building import (
 )
 from mansion_planner.brief.building_again import leave_out_other_names
 from mansion_planner.brief.building_shape import give_rooms_to_copies, read_copies, read_massing, read_shape, read_sizes
+from mansion_planner.brief.changed_copies import find_changed_copies, read_changed_copies
 from mansion_planner.brief.clutter import read_clutter_words, read_things_about
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.desk_areas import read_desk_areas
@@ -41,6 +43,7 @@ from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.fittings import leave_out_containers, read_fittings
+from mansion_planner.brief.flat_upstairs import give_rooms_to_flat
 from mansion_planner.brief.furnishings import read_furnishings
 from mansion_planner.brief.heights import read_heights
 from mansion_planner.brief.households import read_households
@@ -73,7 +76,7 @@ from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.told_by_size import told_by_size
 from mansion_planner.brief.trades import read_trade
 from mansion_planner.brief.unit_storeys import attach_units
-from mansion_planner.brief.units import are_units, is_type_of_flat
+from mansion_planner.brief.units import are_units, flats_that_open, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
 from mansion_planner.brief.vertical_facts import read_stairs_and_lifts
 from mansion_planner.brief.washing_and_resting import by_what_else_is_named
@@ -116,10 +119,13 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     read_style(reading, named=True)
     read_shape(reading)
     measures = find_measures(reading)
+    exception = read_all_but_some(reading)
     places = read_storeys(reading)
+    place_some(reading, places, exception)
     read_massing(reading)
     reading.go_on()
     phrases = _Reader(reading, places).read(measures)
+    place_all_others(reading, exception)
     reading.go_on()
     read_copies(reading, places)
     give_rooms_to_copies(reading.facts)
@@ -135,6 +141,7 @@ class _Reader:
 
     def __init__(self, reading: Reading, places: list[Place]) -> None:
         self.reading, self.facts, self.places = reading, reading.facts, places
+        self.changed = find_changed_copies(reading, places)
 
     def read(self, measures: list[Measure]) -> list[Phrase]:
         """Read everything that noun phrases are part of; return them."""
@@ -243,6 +250,8 @@ class _Reader:
             suites,
         ).record()
         among_adverts(facts, adverts)
+        read_changed_copies(reading, self.changed)
+        give_rooms_to_flat(reading)
         read_desk_areas(facts)
         state_relations(reading, self.phrases, self.relations, self.same, self.groups)
         read_completeness(reading, self.places, self.phrases)
@@ -260,6 +269,10 @@ class _Reader:
 
     def _name_building(self, phrases: list[Phrase]) -> int | None:
         reading = self.reading
+        if (flats := flats_that_open(reading, phrases)) is not None:
+            self.facts.building.append(("apartment_building", reading.span(flats.begin, flats.noun_end)))
+            phrases.remove(flats)
+            return None
         number = building_phrase(reading, phrases, self.places)
         if number is not None and are_units(phrases[number]):
             number = None
@@ -278,8 +291,12 @@ class _Reader:
             reading.take(opening[2], opening[3])
             opening = None
         if opening is not None:
-            self.facts.building_name, self.facts.building_like, first, last = opening
-            self.facts.building_span.append(reading.span(first, last))
+            name, like, first, last = opening
+            if name in reading.knowledge.buildings:
+                self.facts.building.append((name, reading.span(first, last)))
+            else:
+                self.facts.building_name, self.facts.building_like = name, like
+                self.facts.building_span.append(reading.span(first, last))
             reading.take(first, last)
             phrases[:] = [p for p in phrases if p.last <= first or p.first >= last]
             number = None

@@ -7,27 +7,37 @@ from mansion_knowledge import KnowledgeBase
 from mansion_language import Token, tokenize
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.activities import activities, entrances
+from mansion_planner.brief.added_storeys import added_storeys
+from mansion_planner.brief.children_groups import children_groups
+from mansion_planner.brief.conversions import without_conversions
 from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
+from mansion_planner.brief.garages import garages
 from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
+from mansion_planner.brief.masters_bathroom import masters_bathroom
 from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.relative_areas import relative_areas
+from mansion_planner.brief.rooms_by_number import rooms_by_number
+from mansion_planner.brief.rooms_by_person import rooms_by_person
+from mansion_planner.brief.seated_people import seated_people
 from mansion_planner.brief.shortened_nouns import shortened_nouns
-from mansion_planner.brief.spelling import corrected
+from mansion_planner.brief.spelling import corrected, without_slips
 from mansion_planner.brief.spoken_turns import spoken_turns
 from mansion_planner.brief.stacked_flats import stacked_flats
 from mansion_planner.brief.storey_forms import storey_forms
 from mansion_planner.brief.storey_tables import storey_tables
 from mansion_planner.brief.storeys_by_use import storeys_by_use
+from mansion_planner.brief.storeys_in_order import storeys_in_order
 from mansion_planner.brief.token_forms import (
     abbreviated_storeys,
     capacities,
     compounds,
     decades,
+    equal_rooms,
     foreign_storeys,
     gross_areas,
     kinds_of_area,
@@ -38,6 +48,9 @@ from mansion_planner.brief.token_forms import (
     workplaces,
 )
 from mansion_planner.brief.told_again import without_asides
+from mansion_planner.brief.twin_homes import twin_homes
+from mansion_planner.brief.unit_totals import unit_totals
+from mansion_planner.brief.withdrawn_briefs import without_withdrawn_briefs
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
 
@@ -95,6 +108,8 @@ class Reading:
         Indices of numbers whose area was given to rooms together with their names.
     implied_storeys : list of Quantity
         Numbers of storeys that follow from other words ("the six upper floors"): they count where none is stated.
+    differing : set of int
+        Indices of tokens that say that a storey is like another one, but for what follows.
     cancelled : callable
         Whether the reading is not wanted any more.
     sentence : list of int
@@ -112,6 +127,7 @@ class Reading:
     sentence: list[int] = field(default_factory=list)
     modifiers: set[int] = field(default_factory=set)
     implied_storeys: list[Quantity] = field(default_factory=list)
+    differing: set[int] = field(default_factory=set)
     cancelled: Callable[[], bool] = lambda: False
 
     def go_on(self) -> None:
@@ -211,15 +227,26 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens, corrections = corrected_numbers(
-        without_asides(spoken_turns(shortened_nouns(tokenize(text.replace("@", "à")))))
+        without_asides(
+            spoken_turns(
+                shortened_nouns(
+                    without_conversions(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à")))))
+                )
+            )
+        )
     )
-    tokens = labelled_rooms(paired_nouns(entrances(tokens)))
-    tokens = storey_tables(abbreviated_storeys(text, decades(tokens)), FLOOR_WORDS)
+    tokens = labelled_rooms(
+        paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS))))
+    )
+    tokens = storey_tables(abbreviated_storeys(text, decades(equal_rooms(tokens, FLOOR_WORDS))), FLOOR_WORDS)
+    tokens = rooms_by_number(added_storeys(tokens, FLOOR_WORDS))
+    tokens = unit_totals(storeys_in_order(tokens, FLOOR_WORDS), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
     tokens = stacked_flats(relative_areas(tokens), FLOOR_WORDS)
     tokens = activities(tokens)
+    tokens = seated_people(garages(tokens, lexicon.building_heads))
     tokens = capacities(owned_by_each(upward_ranges(tokens, FLOOR_WORDS)), lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(

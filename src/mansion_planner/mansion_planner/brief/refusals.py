@@ -19,6 +19,8 @@ _GIVEN_UP = frozenset(
     disallowed vetoed ruled
     """.split()
 )
+_DEAR = frozenset({"expensive", "costly", "dear", "pricey"})
+"""What is said of a thing that is not wanted for its price."""
 _UNMADE = frozenset("coming come happening happen built made provided envisaged intended included installed".split())
 _MAKING = frozenset("make build plan include put do want need have install draw add foresee provide".split())
 _SUBJECTS = frozenset("we i they one you".split())
@@ -45,6 +47,10 @@ def refusal_after(reading: Reading, index: int) -> int:
     at = index
     while reading.word(at) in _COPULAS | _ADVERBS:
         at += 1
+    if at > index and reading.word(at) in ("too", "far") and not _DEAR.isdisjoint(reading.words(at, at + 3)):
+        end = next(k for k in range(at, at + 3) if reading.word(k) in _DEAR) + 1
+        end += 3 * (reading.words(end, end + 3) == ("in", "the", "end"))
+        return end if _closes(reading, end) else index
     if reading.word(at) in _GIVEN_UP:
         end = _agent_end(reading, at + 1)
         return end if _closes(reading, end) else index
@@ -128,7 +134,34 @@ def _pointing_end(reading: Reading, index: int) -> int:
         while reading.word(end) in _TAILS:
             end += 1
         return end if reading.breaks(end) else 0
-    return _leaving_end(reading, index)
+    return _leaving_end(reading, index) or _left_out_end(reading, index)
+
+
+def _left_out_end(reading: Reading, index: int) -> int:
+    """Return where "I do not, so leave it out", "so drop it", "but I don't" end, which end a clause; or 0."""
+    at = index
+    if reading.word(at) in ("i", "we", "me", "us"):
+        at += 1
+        at += reading.word(at) in ("do", "would", "will")
+        if reading.word(at) != "not":
+            return 0
+        at += 1 + (reading.word(at + 1) in ("want", "need"))
+        if reading.breaks(at):
+            return at
+        at += reading.word(at) in (",", "-", "–", ";")
+    at += reading.word(at) in ("so", "please", "and", "therefore")
+    at += reading.word(at) in ("please", "just")
+    for words in _LEAVING:
+        pointed = reading.word(at + 1) in ("it", "that", "them", "this")
+        if (
+            at > index
+            and reading.word(at) == words[0]
+            and pointed
+            and reading.words(at + 2, at + 1 + len(words)) == words[1:]
+        ):
+            end = at + 1 + len(words)
+            return end if _closes(reading, end) or reading.breaks(end) else 0
+    return 0
 
 
 def _leaving_end(reading: Reading, index: int) -> int:

@@ -48,6 +48,7 @@ _BESIDE = [
     ("entered", "via"),
     ("reached", "via"),
     ("visible", "from"),
+    ("overlooking",),
     *[
         (word, to)
         for word in ("contiguous", "connection", "passage", "neighbour", "neighbor", "beside", "contact", "bordering")

@@ -49,6 +49,7 @@ def room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int | 
     candidates = (
         _ending_at(phrases, end)
         or _described(reading, measure, phrases)
+        or _placed(reading, measure, phrases)
         or _bracketed(reading, measure, phrases)
         or _with_complement(reading, measure, phrases)
         or _shared_out(reading, measure, phrases)
@@ -212,6 +213,10 @@ def said_of_each(reading: Reading, measure: Measure, phrases: list[Phrase]) -> t
     return (number, before[-1]) if before else None
 
 
+_BESIDE_PLACE = (("at", "the"), ("on", "the"), ("in", "the"), ("by", "the"), ("to", "the"))
+"""Words of where rooms are, before a comma and the area of each: "two shops at the front, 60 m2 each"."""
+
+
 def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:
     """Return the room that is described before its area: "a hall for men, 180 m2", "a loft above of 15 m2"."""
     sentence = reading.sentence[measure.first]
@@ -229,8 +234,25 @@ def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> lis
     gap = reading.words(phrases[rooms[-1]].last, measure.first)
     people = len(gap) >= 3 and gap[0] == "for" and gap[-1] == "," and len(gap) <= 5
     above = gap[:1] in (("above",), ("below",), ("upstairs",), ("downstairs",)) and set(gap[1:]) <= FILLERS
+    above = above or (gap[:2] in _BESIDE_PLACE and gap[-1] == "," and len(gap) <= 4 and is_of_each(reading, measure))
     relative = gap[:2] == (",", "which") and gap[-1] == "," and "room" in gap and ";" not in gap
     return rooms[-1:] if people or above or relative or _is_clause_of_room(gap) else []
+
+
+def _placed(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:
+    """Return the room whose storey stands between it and its area: "a gallery on the upper floor 80 m2"."""
+    at = measure.first - 1
+    while reading.word(at) in ABOUT | {"("}:
+        at -= 1
+    if reading.word(at) not in FLOOR_WORDS or at not in reading.taken or reading.plural(at):
+        return []
+    at -= 1 + (reading.word(at - 2) == "the")
+    if reading.word(at - 1) not in ("on", "in", "at"):
+        return []
+    return [
+        n for n, p in enumerate(phrases)
+        if p.last == at - 1 and p.head == "room" and p.count == 1 and not p.plural and not p.areas
+    ]  # fmt: skip
 
 
 def _is_clause_of_room(gap: Sequence[str]) -> bool:

@@ -110,12 +110,20 @@ class RoomStatements:
     def _exclude(self, number: int, phrase: Phrase, place: Attachment) -> None:
         first, last = self.negated[number]
         span = self.reading.span(min(first, phrase.first), max(last, phrase.last))
-        if not phrase.room_type:
+        if not phrase.room_type or self._is_replaced(number, phrase):
             return
         if place.refs and self._is_placed(phrase):
             self.reading.facts.excluded_on += [(phrase.room_type, ref, span) for ref in place.refs]
         else:
             self.reading.facts.excluded.append((phrase.room_type, span))
+
+    def _is_replaced(self, number: int, phrase: Phrase) -> bool:
+        """Whether another room of its kind is wanted in the place of one: "a carport instead of a garage"."""
+        instead = "instead" in self.reading.words(self.negated[number][0], phrase.first)
+        return instead and any(
+            p.room_type == phrase.room_type and p.name != phrase.name and n not in self.negated
+            for n, p in enumerate(self.phrases)
+        )
 
     def _is_placed(self, phrase: Phrase) -> bool:
         """Whether a negated room is unwanted on some storeys only: named after it, or it is wanted elsewhere."""

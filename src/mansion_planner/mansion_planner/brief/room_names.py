@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from mansion_knowledge.common_words import common_words
 from mansion_language import singular
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase, finished_phrase, name_of
@@ -202,7 +203,8 @@ def with_designators(
         if not length:
             break
         end = index + length
-        own = reading.span(index, end).words
+        figure = length == 1 and reading.kind(index) == "number" and reading.word(index).isdigit()
+        own = reading.word(index) if figure else reading.span(index, end).words
         reading.take(index, end)
         room = one_of(phrase, first, end)
         found.append(replace(room, name=f"{phrase.name}_{own.lower()}", label=f"{phrase.label} {own}", counted=False))
@@ -244,7 +246,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
     named = _Named(
         sentences={reading.sentence[phrase.first] for phrase in rooms},
         begins={phrase.begin for phrase in rooms},
-        ends={phrase.last for phrase in rooms},
+        ends={phrase.last for phrase in phrases if phrase.head in ("room", "building")},
         things={phrase.last for phrase in phrases if phrase.head == "object"},
         furniture={phrase.begin for phrase in phrases if phrase.head == "object"},
     )
@@ -301,7 +303,14 @@ class _Entry:
             return False
         if not self._measured and (not self._is_listed() or self._goes_on_furniture()):
             return False
+        if self._are_spoken_of():
+            return False
         return not self._is_content() and not self._is_no_name() and not self._is_where_it_stands()
+
+    def _are_spoken_of(self) -> bool:
+        """Whether they are things that everybody knows and the brief only speaks of: "the dust and the sparks"."""
+        single = self.end - self.begin == 1 and not self._measured
+        return single and self._plural and self._before == "the" and self.reading.word(self.begin) in common_words()
 
     def _is_where_it_stands(self) -> bool:
         """Whether they name the town of the building rather than a room: "a house in Berlin of 120 m2"."""
@@ -351,8 +360,45 @@ class _Entry:
         lead = self.reading.word(self.begin - 2)
         marked = self._before in (":", ",", "and", "|", "-", "*", "&", "\n")
         article = self._before in ("a", "an", "the", "one") and lead in (",", "and", ":", "a", "|", "with", "has")
+        if self._is_foreign() or self._is_counted_behind:
+            return True
         opens = marked or article or self._counted or self.begin - 1 in self.reading.taken
-        return opens and self._after in _LIST_ENDS
+        return opens and (self._after in _LIST_ENDS or self._is_for_many or self._is_kept_apart)
+
+    @property
+    def _is_kept_apart(self) -> bool:
+        """Whether "not next to" follows: "a cattery, quarantine not next to the cattery"."""
+        beside = {"next", "beside", "near", "adjacent", "touching", "close"}
+        return self._after == "not" and self.reading.word(self.end + 1) in beside
+
+    def _is_foreign(self) -> bool:
+        """Whether a word of another language stands where a room does: "beside the Stube", "one numaru for tea"."""
+        reading, lead = self.reading, self.reading.word(self.begin - 2)
+        if self.end - self.begin != 1 or self.reading.word(self.begin) in common_words():
+            return False
+        beside = self._before == "the" and (
+            lead in _BESIDE or reading.words(self.begin - 3, self.begin - 1) == ("next", "to")
+        )
+        beside = beside or (self._before == "the" and lead == "and" and self.begin - 2 in self.named.ends)
+        told = (
+            self._before == "the"
+            and reading.starts(self.begin - 1)
+            and self._after in ("lie", "is", "(", "lies", "has")
+        )
+        counted = self._counted and self._after in ("for", "with", "of", "on", "in") and not self._plural
+        return beside or told or counted
+
+    @property
+    def _is_counted_behind(self) -> bool:
+        """Whether "x3" follows: "make-up x3, wardrobe"."""
+        marked = self._before in (",", ":", ";") or self.reading.starts(self.begin)
+        return marked and self._after == "x" and self.reading.kind(self.end + 1) == "number"
+
+    @property
+    def _is_for_many(self) -> bool:
+        """Whether a number of people follows: "guest Stube for 60 with a stove"."""
+        many = self._after == "for" and self.reading.kind(self.end + 1) == "number"
+        return many and self.reading.kind(self.end + 2) != "unit" and self._before in (",", ":", "and", "a", "one")
 
     def _goes_on_furniture(self) -> bool:
         """Whether a bare noun goes on with what a room holds: "a hall with a bed, chest and desk"."""
@@ -408,6 +454,7 @@ def _has_measure(reading: Reading, end: int) -> bool:
     return reading.kind(index) == "number" and index in reading.taken and reading.kind(index + 1) == "unit"
 
 
+_BESIDE = frozenset({"beside", "between", "adjoining", "adjoin", "touching", "near", "by", "facing"})
 _HOLDS = frozenset("holding containing with houses housing has have holds".split())
 _NO_ROOMS = frozenset(
     """

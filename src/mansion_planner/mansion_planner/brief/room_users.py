@@ -25,6 +25,10 @@ _USERS_BEFORE = PEOPLE_APART | _DISABLED | {"accessible", "unisex", "referee", "
 _TOILETS = frozenset({"toilet", "restroom", "bathroom"})
 _JOINTS = frozenset({"and", ",", "&", "/", "+", "plus"})
 _LEADS = frozenset({",", ":", "(", "-", "–"})
+_BESIDE_SEXES = frozenset({"family", "child", "kid", "adult", "baby", "swimmer", "player", "referee", "group", "team"})
+"""Those who have a room of their own beside men and women."""
+_PARTED = frozenset({"separated", "separate", "separately", "split", "divided", "each", "apart"})
+"""Words between rooms and those who have one each."""
 _PERSONS = frozenset("people person user visitor guest one".split())
 
 
@@ -202,16 +206,20 @@ def _users(reading: Reading, phrase: Phrase) -> tuple[list[int], int]:
     What follows "for" may be people of many kinds; a list without it ("toilets (men, women)") tells the sexes apart.
     """
     apart = phrase.plural and "separate" in reading.words(phrase.first - 1, phrase.noun_end)
-    led = reading.word(phrase.last) in ("for", "of")
+    parted = reading.word(phrase.last) in _PARTED  # "ablution rooms separated for men and women"
+    start = phrase.last + parted
+    led = reading.word(start) in ("for", "of") or (parted and reading.word(start) in ("by", "between"))
+
+    users: list[int] = []
 
     def uses(at: int) -> bool:
         word = reading.word(at)
         if word in _DISABLED:
             return True
-        return (word in PEOPLE_APART or (apart and reading.plural(at))) if led else word in _SEXES
+        beside = word in _BESIDE_SEXES and bool(users) and reading.word(users[0]) in _SEXES
+        return (word in PEOPLE_APART or beside or (apart and reading.plural(at))) if led else word in _SEXES
 
-    index = phrase.last + (led or reading.word(phrase.last) in _LEADS)
-    users: list[int] = []
+    index = start + (led or reading.word(start) in _LEADS)
     end = index
     closed = False  # behind the last "and" a comma ends the list
     while len(users) < 6:

@@ -1,5 +1,7 @@
 """Read what a room is by the building that it stands in: "40 rooms" of a hotel, the cabin of a director."""
 
+import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 from mansion_planner.brief.building import is_compound
@@ -24,7 +26,8 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     record = reading.knowledge.buildings.get(kind)
     family, like = (record.family, record.like) if record is not None else ("", "")
     itself = reading.tokens[phrase.begin].start in {span.start for _, span in facts.building if span.words}
-    named = _NAMED.get((phrase.name, kind)) or _NAMED.get((phrase.name, like))
+    base = re.sub(r"_\d+$", "", phrase.name)
+    named = _NAMED.get((base, kind)) or _NAMED.get((base, like))
     if named is not None and not itself:
         return replace(phrase, head="room", building="", room_type=named, known=True)
     lodging = _PLAIN.get(kind) or _PLAIN.get(like)
@@ -70,7 +73,8 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
             return replace(phrase, head="room", building="", room_type=kind, known=True)
         if words[-1] == "station" and phrase.building == "train_station" and not phrase.plural:
             return replace(phrase, head="room", building="", room_type=HEAD_TYPES["station"], known=False)
-    taught = next((kind for word, kind in _STUDIOS.items() if word in reading.facts.building_name), "")
+    kinds = [reading.facts.building_name, *(kind for kind, _ in reading.facts.building[:1])]
+    taught = next((kind for word, kind in _STUDIOS.items() if any(word in name for name in kinds)), "")
     if taught and words == ["studio"]:
         return replace(phrase, head="room", building="", room_type=taught, known=True)
     if phrase.room_type == "studio_apartment" and words[-1] == "studio" and family in _WORKING:
@@ -89,11 +93,19 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, room_type="production_hall")
     if family == "industry" and words[-2:] == ["machine", "room"]:
         return replace(phrase, room_type="production_hall")
+    if phrase.room_type == "car_workshop" and words[-1] == "bay" and _holds_instruments(reading, words, family):
+        return replace(phrase, room_type="laboratory", known=True)
     if family == "sport" and words[-2:] == ["shower", "room"] and not phrase.building:
         return replace(phrase, room_type="shower_area")
     if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:
         return replace(phrase, room_type="study_room", known=False)
     return None
+
+
+def _holds_instruments(reading: Reading, words: Sequence[str], family: str) -> bool:
+    """Whether a bay is one of a laboratory: an etching bay, a metrology bay."""
+    laboratory = family in _INSTRUMENTS or reading.facts.building_like.startswith("laboratory")
+    return laboratory and len(words) > 1 and _FOR_CARS.isdisjoint(words)
 
 
 _ENTRANCES = frozenset({"entrance_hall", "entry_hall", "entrance_room"})
@@ -108,6 +120,12 @@ _DWELT_IN = frozenset({"home", "lodging"})
 _WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
 """Families of buildings whose studios are to work in."""
 
+_INSTRUMENTS = frozenset({"education", "health", "office", ""})
+"""Families of buildings whose bays hold instruments and not cars."""
+
+_FOR_CARS = frozenset("car vehicle auto motor truck lorry bus van service repair workshop lift tyre tire wash".split())
+"""What is said of the bays of a workshop for cars."""
+
 _STUDIOS = {"dance": "dance_studio", "ballet": "dance_studio", "yoga": "yoga_studio", "pilates": "yoga_studio",
             "photo": "photo_studio", "radio": "recording_studio"}  # fmt: skip
 """What a studio is in a building called after what is done there."""
@@ -117,6 +135,10 @@ _NAMED = {
     ("hall", "cinema"): "cinema_hall",
     ("screen", "cinema"): "cinema_hall",
     ("sleeping_room", "kindergarten"): "nap_room",
+    ("group_room", "kindergarten"): "kindergarten_classroom",
+    ("bay", "fire_station"): "apparatus_bay",
+    ("engine_bay", "fire_station"): "apparatus_bay",
+    ("vehicle_bay", "fire_station"): "apparatus_bay",
     ("studio", "radio_station"): "recording_studio",
     ("studio", "media_house"): "recording_studio",
 }

@@ -8,7 +8,7 @@ from mansion_language import Token, singular
 from mansion_language.numbers import ORDINALS
 from mansion_language.spelling import Speller
 
-__all__ = ["GRAMMAR", "corrected"]
+__all__ = ["GRAMMAR", "corrected", "without_slips"]
 
 GRAMMAR = frozenset(
     [
@@ -101,6 +101,18 @@ _SHORT = {
     "bldg": "building", "bsmt": "basement", "mtg": "meeting", "ofc": "office", "kit": "kitchen",
 }  # fmt: skip
 """Short forms in notes, and what they stand for."""
+
+
+_SLIPS = {
+    **dict.fromkeys(("storei", "storeis", "storry", "storrey", "stroey", "stories", "store-y"), "storey"),
+    **dict.fromkeys(("aprox", "appr", "cca"), "approx"),
+}  # fmt: skip
+"""Slips in the words that storeys and numbers are read by, before the vocabulary is known."""
+
+
+def without_slips(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with the commonest misspellings of words for storeys and estimates put right."""
+    return [replace(token, text=_SLIPS[token.text]) if token.text in _SLIPS else token for token in tokens]
 
 
 def corrected(tokens: list[Token], words: frozenset[str], known: frozenset[str] = frozenset()) -> list[Token]:

@@ -31,7 +31,7 @@ def spoken_turns(tokens: list[Token]) -> list[Token]:
     say, 45 m2" becomes "of 45 m2", "a reading corner as a separate room of 18 m2" and "a bedroom too, 7 m2" lose the
     words that only say that there is such a room.
     """
-    tokens = _headed_storeys(tokens)
+    tokens = _denied_again(_headed_storeys(tokens))
     result: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -51,6 +51,39 @@ def spoken_turns(tokens: list[Token]) -> list[Token]:
     return result
 
 
+_AGAIN = (
+    ("also", "no"), ("again", "no"), ("likewise", "no"), ("equally", "no"), ("no", "either"), ("also", "not"),
+    ("neither",), ("nor",), ("ditto",), ("same",), ("likewise",), ("also", "none"), ("not", "either"),
+    ("no", "as", "well"),
+)  # fmt: skip
+"""Answers that deny one thing more after another one was denied."""
+
+
+def _denied_again(tokens: list[Token]) -> list[Token]:
+    """Return the tokens of "Garage: no. Carport: also no." with the second denial as plain as the first."""
+    result: list[Token] = []
+    index, denied = 0, False
+    while index < len(tokens):
+        result.append(tokens[index])
+        index += 1
+        if result[-1].text not in (":", "?", "-", "–", ","):
+            continue
+        again = next((words for words in _AGAIN if _is_said(tokens, index, words)), ())
+        if denied and again:
+            end = index + len(again)
+            result.append(replace(tokens[index], text="no", end=tokens[end - 1].end))
+            index = end
+        elif result[-1].text != ",":
+            denied = _word(tokens, index) in ("no", "none") and _word(tokens, index + 1) in _ENDS | {","}
+    return result
+
+
+def _is_said(tokens: list[Token], index: int, words: tuple[str, ...]) -> bool:
+    """Whether some words, and nothing more of the sentence, stand at a token."""
+    end = index + len(words)
+    return tuple(token.text for token in tokens[index:end]) == words and _word(tokens, end) in _ENDS | {","}
+
+
 _OPENING = {"below": "downstairs", "down": "downstairs", "above": "upstairs", "up": "upstairs"}
 _TO_STOREYS = frozenset({"floor", "level", "storey", "story", "storie"})
 _NO_HEADING = frozenset("the it them this that these those all each every to , : = is are a an our one".split())
@@ -66,8 +99,11 @@ def _headed_storeys(tokens: list[Token]) -> list[Token]:
     )
     if not two:
         return tokens
+    tokens = _on_top(tokens)
     return [
         replace(token, text=_OPENING[token.text])
+        if _closes_list(tokens, index)
+        else replace(token, text=_OPENING[token.text])
         if token.text in _OPENING
         and _word(tokens, index - 1) in (".", ";", ":", "\n")
         and index + 1 < len(tokens)
@@ -76,6 +112,48 @@ def _headed_storeys(tokens: list[Token]) -> list[Token]:
         else token
         for index, token in enumerate(tokens)
     ]
+
+
+_FLATS = frozenset({"flat", "apartment", "maisonette", "studio"})
+
+
+def _on_top(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with "a flat on top" as one upstairs, and "the flat above: ..." without its storey again."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        token, after = tokens[index], _word(tokens, index + 2)
+        top = token.text == "on" and _word(tokens, index + 1) == "top" and after in _ENDS | {",", "(", "and"}
+        if top and index and tokens[index - 1].kind == "word" and tokens[index - 1].text not in _TO_STOREYS:
+            result.append(replace(token, text="upstairs", end=tokens[index + 1].end))
+            index += 2
+            continue
+        again = token.text in ("above", "upstairs", "upstair") and _word(tokens, index + 1) == ":"
+        if not (again and _word(tokens, index - 1) in _FLATS and _word(tokens, index - 2) == "the"):
+            result.append(token)
+        index += 1
+    return result
+
+
+_NO_LIST = _TO_STOREYS | frozenset(
+    """
+    go going goes come comes walk climb lead leads run runs sit slow calm set lie look open lock pick drive cut grow
+    turn break clean wake get close shut step flight way side upside up down and it them one stair stairs staircase
+    lift elevator line street hill slope from the or is are see mentioned described listed upon live lives all what
+    which that look face facing back
+    """.split()
+)
+"""Words before "up" or "below" where that is said of a movement, or of something else than a list of rooms."""
+
+
+def _closes_list(tokens: list[Token], index: int) -> bool:
+    """Whether "up" or "below" closes what is on a storey: "3 bedrooms + 1 bathroom up; kitchen, living room down"."""
+    before = tokens[index - 1] if index else None
+    after = _word(tokens, index + 1)
+    also = after in ("too", "also") or (after == "as" and _word(tokens, index + 2) == "well")
+    ends = after in _ENDS | {",", "and", "-", "–"} - {"!"} or also
+    closes = tokens[index].text in _OPENING and ends
+    return closes and before is not None and before.kind == "word" and before.text not in _NO_LIST
 
 
 def _is_up_with(tokens: list[Token], index: int) -> bool:

@@ -20,7 +20,7 @@ _GLUE = frozenset(
     """
     is are be goes go stay stays sit sits lie lies located situated placed both all only right directly up that
     which become stand kept share should must will shall belong take takes occupy occupies fills fill come found needed
-    wanted can could may might down shown housed displayed ,
+    wanted can could may might down shown housed displayed move moves moved ,
     on in at to entirely mostly alone as well too also each one apiece most much of occupy therefore be well
     """.split()
 )
@@ -92,6 +92,7 @@ class _Walk:
         self.reading, self.places, self.phrases, self.building = reading, places, phrases, building
         self.found: dict[int, Attachment] = {}
         self.heading: Place | None = None
+        self.trailing: Place | None = None
 
     def run(self) -> dict[int, Attachment]:
         """Walk over all sentences."""
@@ -106,7 +107,11 @@ class _Walk:
             ]
             items.sort(key=lambda item: item[2])
             end = max((i for i, s in enumerate(self.reading.sentence) if s == sentence), default=0)
+            self.trailing = None
             carried = self._sentence(items, carried, sentence)
+            behind = self._place_behind()
+            if carried is None and behind is not None and self._contrasts(sentence):
+                carried = behind
             if self.reading.word(end) != ";":
                 carried = None
             blank = self.reading.word(end) == "\n" and self.reading.word(last_end) == "\n" and end == last_end + 1
@@ -117,6 +122,26 @@ class _Walk:
 
     def _in(self, index: int, sentence: int) -> bool:
         return index < len(self.reading.sentence) and self.reading.sentence[index] == sentence
+
+    def _place_behind(self) -> Place | None:
+        """Return the storey that stands behind what the sentence before tells."""
+        return self.trailing
+
+    def _contrasts(self, sentence: int) -> bool:
+        """Whether clauses without a storey follow, and then a sentence that opens with another one.
+
+        "Three studios downstairs; changing rooms; a waiting corner. Upstairs a theatre."
+        """
+        reading = self.reading
+        last = sentence + 1
+        while last < reading.sentence[-1] and reading.word(self._end_of(last)) == ";":
+            last += 1
+        inside = [p for p in self.places if sentence < reading.sentence[p.first] <= last]
+        after = [p for p in self.places if reading.sentence[p.first] == last + 1]
+        return not inside and bool(after) and (after[0].heading or reading.starts(after[0].first))
+
+    def _end_of(self, sentence: int) -> int:
+        return max((at for at, number in enumerate(self.reading.sentence) if number == sentence), default=0)
 
     def _heading_follows(self, sentence: int) -> bool:
         return any(place.heading and self.reading.sentence[place.first] > sentence for place in self.places)
@@ -155,6 +180,8 @@ class _Walk:
                 items[position + 1 :] = [item for item in items[position + 1 :] if item[:2] != ("phrase", rest[0])]
             elif left and self._puts_it(place):
                 self._give_all(left[-1:], place)
+            elif left and self._follows(place, left):
+                self._give_all(left[:1], place)
             elif self.reading.word(place.first - 1) == "both" and len(left) > 1:
                 self._give_all(left[-2:], place)  # "the sauna next to the gym, and both in the basement"
                 left = []
@@ -162,6 +189,7 @@ class _Walk:
                 self._give_all(self._claimed(place, left, opened=opened), place)
                 self._give_all(self._in_brackets_after(place, rest), place)
                 left = []
+                self.trailing = place if not opened and place.refs[0].kind in ("number", "upper", "top") else None
                 if self._goes_on(place):
                     scope = place
                 elif not opened:
@@ -199,6 +227,11 @@ class _Walk:
         """Whether a room named before is put somewhere: "the laundry makes noise, so put it on the ground floor"."""
         verb, pronoun = self.reading.words(place.first - 2, place.first) if place.first > 1 else ("", "")
         return pronoun in ("it", "this", "that") and verb in ("put", "place", "keep", "locate", "leave", "want", "have")
+
+    def _follows(self, place: Place, left: list[int]) -> bool:
+        """Whether a storey follows from what is said of a subject: "the bar far from the hall, so upstairs"."""
+        gap = self.reading.words(self.phrases[left[-1]].last, place.first)
+        return gap in ((",", "so"), (",", "therefore"), (",", "hence"), (",", "thus")) and self._closes(place)
 
     def _is_served(self, place: Place, left: list[int]) -> bool:
         """Whether a place only says where a lift or stair goes: "a lift to all floors"."""
@@ -379,11 +412,18 @@ class _Walk:
         reading = self.reading
         sentence = reading.sentence[place.first]
         following = any(reading.sentence[other.first] == sentence + 1 for other in self.places)
+        paired = any(self._ends_clause(other) for other in self.places if reading.sentence[other.first] == sentence - 1)
         alone = not any(other is not place and reading.sentence[other.first] == sentence for other in self.places)
-        if reading.word(place.last) != ";" or not following or not alone or not place.led or _several(place):
+        listed = reading.word(place.last) == ";" and following and place.led
+        paired = paired and reading.breaks(place.last)  # "three bedrooms up; kitchen, living, WC down"
+        if not (listed or paired) or not alone or _several(place):
             return []
         colons = [at for at in range(place.first) if reading.word(at) == ":" and reading.sentence[at] == sentence]
         return [number for number in left if not colons or self.phrases[number].first > colons[-1]]
+
+    def _ends_clause(self, place: Place) -> bool:
+        """Whether a storey stands at the end of a clause, behind what it holds."""
+        return not place.heading and self.reading.word(place.last) == ";" and not self.reading.starts(place.first)
 
     def _asyndetic(self, left: list[int]) -> bool:
         """Whether commas alone part a list, so that what follows is of its last entry: "shop, cafe upstairs"."""
@@ -438,6 +478,8 @@ class _Walk:
     def _are_one(self, place: Place, number: int) -> bool:
         """Whether storeys are one room together: "the two floors above are one apartment"."""
         phrase, reading = self.phrases[number], self.reading
+        if not {"each", "every"}.isdisjoint(reading.words(place.first, place.last)):
+            return False  # "on each floor is one bathroom"
         verb = reading.words(place.last, phrase.first) in (("are",), ("is",), ("form",), ("become",))
         return verb and reading.kind(phrase.first) == "number" and reading.value(phrase.first) == 1
 

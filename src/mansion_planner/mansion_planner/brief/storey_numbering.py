@@ -157,7 +157,8 @@ def numbers_above_ground(reading: Reading) -> bool:
     grounds = [
         i
         for i in range(len(reading.tokens))
-        if reading.word(i) in ("ground", "street", "entrance") and reading.word(i + 1) in singular
+        if reading.word(i) in ("ground", "street", "entrance")
+        and (reading.word(i + 1) in singular or (reading.starts(i) and reading.word(i + 1) in (":", "=")))
     ]
     named = {
         i: int(reading.value(i + 1))

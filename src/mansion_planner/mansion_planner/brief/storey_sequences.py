@@ -1,4 +1,4 @@
-"""Read storeys that the order of a brief tells: "one down", "the floor above", "then", "the rest", a list upwards."""
+"""Read storeys that the order of a brief tells: "one down", "the floor above", "then", "the rest"."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -16,7 +16,6 @@ _PLACED = frozenset("ground top upper lower next first last other every each all
 """Words that tell a storey by themselves, whatever stands after it."""
 _OPENERS = frozenset({",", ":", ";", "and", "then", "-", "–", "("})
 _MORE = frozenset({"also", "likewise", "too", "additionally", "further", "furthermore"})
-_BOTTOM = frozenset({"bottom", "ground", "base"})
 
 
 _JOINS = frozenset({"to", "through", "until", "up", "-", "–", "and", ",", "&"})
@@ -86,6 +85,8 @@ class StoreySequence:
         if word not in _UP | _DOWN or reading.word(index + 1) not in _THAT or base is None:
             return None
         opens = reading.starts(index) or (reading.word(index - 1) in (",", "and", ";") and reading.starts(index - 1))
+        told = reading.word(index - 1) == "," and reading.word(index + 2) in ("the", "a", "an", "one", "two", "three")
+        opens = opens or (told and reading.word(index + 1) in ("it", "that", "this"))
         if not opens or base.kind not in ("number", "range", "top", "below_top"):
             return None
         self.direction = 1 if word in _UP else -1
@@ -230,42 +231,6 @@ class StoreySequence:
             return [FloorRef("below_top", base.first + 1 if base.kind == "below_top" else 1)], last
         number = base.last + (1 if up else -1)
         return [FloorRef("number", number, number)], last
-
-    def listed(self, index: int, storeys: int) -> list[Place]:
-        """Read "from the bottom: boot room, kitchen, bedroom" as one entry for each storey.
-
-        Returns
-        -------
-        list of Place
-            Before each entry; empty where `index` does not open such a list.
-        """
-        reading = self.reading
-        edge = reading.word(index + 2)
-        if reading.words(index, index + 2) != ("from", "the") or edge not in _BOTTOM | {"top"}:
-            return []
-        last = index + 3
-        if reading.word(last) in ("up", "upward", "upwards", "down", "downward", "downwards", "to"):
-            while reading.word(last) not in (":", ",", "-") and not reading.breaks(last):
-                last += 1
-        if reading.word(last) not in (":", ",", "-"):
-            return []
-        starts = [last + 1]
-        while not reading.breaks(last + 1):
-            last += 1
-            if reading.word(last) in (",", "then") and not reading.breaks(last + 1):
-                starts.append(last + 1 + (reading.word(last + 1) in ("then", "and")))
-        if edge in _BOTTOM:
-            self.direction = 1
-            numbers = range(1, len(starts) + 1)
-            refs = [FloorRef("number", n, n) for n in numbers]
-        else:
-            self.direction = -1
-            refs = [FloorRef("top") if n == 0 else FloorRef("below_top", n) for n in range(len(starts))]
-        if len(starts) < 2 or (storeys and len(starts) != storeys):
-            return []
-        span = reading.span(index, index + 3)
-        reading.take(index, index + 3)
-        return [Place(at, at, (replace(ref, span=span),), led=False) for at, ref in zip(starts, refs)]
 
 
 def _moved(base: FloorRef | None, steps: int) -> FloorRef:

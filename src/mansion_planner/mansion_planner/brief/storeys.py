@@ -170,12 +170,6 @@ class _Scanner:
                 self._counted_upper(index, last)
                 index = last
                 continue
-            floors = self.reading.facts.floors
-            listed = self.sequence.listed(index, int(floors[0].value) if floors else 0)
-            if listed:
-                self.places += listed
-                index = listed[0].first
-                continue
             refs, last = self._reference(index)
             if refs:
                 self._add(Place(index, last, refs, led=False))
@@ -188,9 +182,24 @@ class _Scanner:
     def _counted_upper(self, index: int, last: int) -> None:
         """Read "2 upper floors with ..." as the place of what follows, besides the number of storeys that it gives."""
         holds = self.reading.word(last) in COPULAS | _HOLDS
+        if self._holds_each(index, last):
+            every = FloorRef("every", span=self.reading.span(index, last))
+            self.places.append(Place(index, last, (every,), led=True))
         if "upper" in self.reading.words(index, last) and holds:
             ref = FloorRef("upper", span=self.reading.span(index, last))
             self.places.append(Place(index, last, (ref,), led=False))
+
+    def _holds_each(self, index: int, last: int) -> bool:
+        """Whether "each" closes what storeys are said to hold: "two identical storeys with five offices each"."""
+        reading = self.reading
+        if reading.word(last) not in ("with", "of", "having") or reading.kind(last + 1) != "number":
+            return False
+        end = last + 1
+        while not reading.breaks(end) and reading.word(end) not in ("each", "with", ","):
+            end += 1
+        noun = reading.kind(end - 1) == "word" and reading.plural(end - 1)
+        closes = reading.breaks(end + 1) or reading.word(end + 1) in (",", ")")
+        return reading.word(end) == "each" and noun and closes and end - last < 8
 
     def _add(self, place: Place) -> None:
         """Add a place, to the one before it where both are named together: "on floor 2 and on floor 3"."""

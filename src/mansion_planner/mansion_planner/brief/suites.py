@@ -75,7 +75,9 @@ def read_suites(
         if pair.counted_with_furniture() and phrases[number - 1].head == "object":
             continue
         if pair.again and pair.is_generic():
-            twins_of[number] = [n for n in before if phrases[n].name == pair.named.name and n not in same]
+            kind = pair.named.name
+            alike = [n for n in before if phrases[n].name == kind or phrases[n].name.endswith(f"_{kind}")]
+            twins_of[number] = [n for n in alike if n not in same]
         if owner in suites:
             if pair.adds_to(phrases[suites[owner]]):
                 suites[number] = suites[owner]
@@ -244,7 +246,8 @@ class _Pair:
         if self.reading.word(self.owner.last) == "each":
             return True  # "floors with 30 desks each and 4 offices each"
         # "levels 3 and 4: ten patient rooms and a nurses' station each"
-        return not self.has() and "and" in self.gap and _of_storeys(self.reading, self.owner.begin)
+        listed = not {"and", ","}.isdisjoint(self.gap)
+        return not self.has() and listed and _of_storeys(self.reading, self.owner.begin)
 
     def _is_shared_out(self) -> bool:
         """Whether each of several owners has one: "bedrooms, each with a bathroom"."""
@@ -264,10 +267,21 @@ class _Pair:
         its = "its" in self.gap or self.phrase.determiner == "its"
         return self.has() and (mine or (its and self.phrase.room_type in PRIVATE))
 
+    def _without_area(self) -> tuple[str, ...]:
+        """Return the words between the two without the area of the owner: "20 rooms at 24 m2 with shower"."""
+        if not self.owner.areas:
+            return self.words
+        between = zip(range(self.named.last, self.phrase.begin), self.words, strict=True)
+        measures = ("number", "unit")
+        return tuple(
+            w for at, w in between if self.reading.kind(at) not in measures and w not in ("at", "of", "each", ",")
+        )
+
     def _is_private(self) -> bool:
         """Whether a room to sleep in has a room that is private as a rule: "a bedroom with a bathroom"."""
         private = self.phrase.room_type in PRIVATE and self.owner.room_type in SLEEPING
-        bare = self.words == ("with",) and not (self.phrase.determiner or self.phrase.counted or self.phrase.plural)
+        said = self._without_area()
+        bare = said == ("with",) and not (self.phrase.determiner or self.phrase.counted or self.phrase.plural)
         # "fourteen patient rooms with shower" have one each
         return private and not {"with", "having"}.isdisjoint(self.gap) and (bare or not self.is_several())
 

@@ -9,6 +9,7 @@ __all__ = [
     "capacities",
     "compounds",
     "decades",
+    "equal_rooms",
     "foreign_storeys",
     "gross_areas",
     "kinds_of_area",
@@ -148,9 +149,10 @@ def workplaces(tokens: list[Token]) -> list[Token]:
         if counted and token.text == "cover" and token.plural:
             token = replace(token, text="seat")
         result.append(token)
-        if (before.text if before is not None else "", token.text) == ("open", "plan") and _has_desks(
-            tokens, index + 1
-        ):
+        planned = (before.text if before is not None else "", token.text) == ("open", "plan")
+        refused = planned and index > 1 and tokens[index - 2].text in ("no", "not", "without")
+        closes = index + 1 == len(tokens) or tokens[index + 1].kind == "mark"
+        if planned and (_has_desks(tokens, index + 1) or (refused and closes)):
             result.append(replace(token, text="office", start=token.end))
     return result
 
@@ -350,6 +352,20 @@ def open_decks(tokens: list[Token]) -> list[Token]:
     if storeys:
         return tokens
     return [replace(token, text="sundeck") if token.text == "deck" else token for token in tokens]
+
+
+_EQUAL = frozenset({"identical", "equal", "similar", "matching"})
+
+
+def equal_rooms(tokens: list[Token], floor_words: frozenset[str]) -> list[Token]:
+    """Read "two identical flats on each floor" as two flats: rooms of one name are alike; storeys may differ."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        counted = bool(result) and result[-1].kind == "number" and token.text in _EQUAL
+        noun = tokens[index + 1] if index + 1 < len(tokens) else None
+        if not (counted and noun is not None and noun.plural and noun.text not in floor_words | {"house", "home"}):
+            result.append(token)
+    return result
 
 
 _AFTER_STOREYS = frozenset({",", ";", "+", "/", "(", "-", "–", "\n", "plus", "and", "with", "on", "in", "of", "high"})

@@ -34,6 +34,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
     "That makes 48 beds" sums up what was listed, "because I work from home" wants no second home, and in "a reception
     where people rent shoes" nobody asks for shoes. One room for two uses ("living/kitchen") is open anyway.
     """
+    tokens = _said_otherwise(tokens)
     result: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -44,6 +45,8 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             or _open_anyway(tokens, index)
             or _some_day(tokens, index)
             or _height_of_somebody(tokens, index)
+            or _signature(tokens, index)
+            or _on_stage(tokens, index)
         )
         if not skipped:
             result.append(tokens[index])
@@ -59,6 +62,26 @@ def _end(tokens: list[Token], index: int) -> int:
     while index < len(tokens) and tokens[index].text not in _ENDS:
         index += 1
     return index
+
+
+def _said_otherwise(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with what a bracket explains said outright: "overlooking (i.e. adjoining) the hall"."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        result.append(tokens[index])
+        index += 1
+        if not result[-1].text.endswith("ing") or _word(tokens, index) != "(":
+            continue
+        at = index + 1
+        lead = {_word(tokens, at), _word(tokens, at + 1), _word(tokens, at + 2)}
+        at += 4 if {"i", "e"} <= lead else 2 if _word(tokens, at + 1) == "is" else 1
+        explained = ({"i", "e"} <= lead) or _word(tokens, index + 1) in ("that", "meaning", "ie")
+        end = next((k for k in range(at, min(at + 4, len(tokens))) if tokens[k].text == ")"), 0)
+        if explained and end and _word(tokens, end + 1) == "the":
+            result[-1:] = [token for token in tokens[at:end] if token.kind == "word"]
+            index = end + 1
+    return result
 
 
 def _sum(tokens: list[Token], index: int) -> int:
@@ -97,6 +120,28 @@ def _height_of_somebody(tokens: list[Token], index: int) -> int:
     )
     somebody = {_word(tokens, index - 1), _word(tokens, index - 2)} & {"i", "he", "she", "we"}
     return 3 if tokens[index].kind == "number" and told and somebody else 0
+
+
+_PARTING = frozenset(
+    {"thank", "thanks", "cheer", "cheers", "regard", "regards", "sincerely", "greeting", "greetings", "yours", "love"}
+)
+
+
+def _signature(tokens: list[Token], index: int) -> int:
+    """Return of how many tokens "Thanks!! Marta" is at the end of a text; else 0."""
+    rest = tokens[index + 1 :]
+    named = [token for token in rest if token.kind != "mark"]
+    ends = len(named) < _LONGEST and all(token.kind == "word" and token.capital for token in named[-2:])
+    talk = all(
+        token.capital or token.text in _PARTING | {"and", "from", "a", "lot", "in", "advance"} for token in named
+    )
+    return len(rest) + 1 if tokens[index].text in _PARTING and named and ends and talk else 0
+
+
+def _on_stage(tokens: list[Token], index: int) -> int:
+    """Return of how many tokens "on stage" is after what stands there: it is a part of the hall; else 0."""
+    at = index + 1 + (_word(tokens, index + 1) == "the")
+    return at + 1 - index if _word(tokens, index) == "on" and _word(tokens, at) == "stage" else 0
 
 
 def _done_there(tokens: list[Token], index: int) -> int:

@@ -20,7 +20,7 @@ _STRONG = frozenset({"each", "every", "apiece"})
 _BETWEEN = frozenset(
     """
     , which that them one is are there to should must will shall also just in its up by of all both they come need
-    needs and - – own entrance
+    needs and - – own entrance for them us him her me
     """.split()
 )
 _JOINTS = frozenset(

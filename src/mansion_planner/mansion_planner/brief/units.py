@@ -14,6 +14,7 @@ __all__ = [
     "are_dwellings",
     "are_units",
     "find_units",
+    "flats_that_open",
     "is_type_of_flat",
     "put_phrase",
 ]
@@ -106,6 +107,21 @@ def are_dwellings(phrase: Phrase) -> bool:
     """Whether the noun of a phrase is that of a dwelling, and no "chapter house" or "malt loft"."""
     first, last = phrase.name.partition("_")[0], phrase.name.rpartition("_")[2]
     return last in _DWELLINGS - {"house", "studio"} or first in _DWELLINGS
+
+
+def flats_that_open(reading: Reading, phrases: list[Phrase]) -> Phrase | None:
+    """Return the flats that only say what the building is, where the brief counts them later.
+
+    "Micro-apartments for students. Five storeys ... each with sixteen apartments" has sixteen on a storey.
+    """
+    first = phrases[0] if phrases else None
+    if first is None or first.begin > 1 or not first.plural or first.counted or not first.room_type:
+        return None
+    alone = all(p.head == "people" for p in phrases[1:] if reading.sentence[p.first] == reading.sentence[first.first])
+    if not alone or not reading.knowledge.room(first.room_type).unit:
+        return None
+    later = [p for p in phrases[1:] if p.counted and p.room_type and reading.knowledge.room(p.room_type).unit]
+    return first if any(p.name in GENERAL or p.name == first.name for p in later) else None
 
 
 def find_units(reading: Reading, phrases: list[Phrase], building: int | None) -> Households:

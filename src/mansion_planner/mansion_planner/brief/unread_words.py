@@ -149,9 +149,67 @@ def _is_content(reading: Reading, index: int) -> bool:
     )
 
 
+def _points_back(reading: Reading, index: int) -> bool:
+    """Whether a number only points at what was read, or bounds it: "one of the bars", "two at the very most"."""
+    token, after = reading.tokens[index], reading.words(index + 1, index + 5)
+    if token.kind != "number" or reading.kind(index + 1) == "unit":
+        return False
+    if after[:2] in (("at", "most"), ("at", "maximum"), ("at", "max")) or after[:4] == ("at", "the", "very", "most"):
+        return True
+    if after[:3] == ("at", "the", "most"):
+        return True
+    read = any(at in reading.taken for at in range(index + 3, index + 5))
+    some = after[:1] == ("of",) and after[1:2] in (("the",), ("our",), ("these",), ("those",)) and read
+    last = reading.breaks(index + 1) or after[:1] in ((",",), (":",))
+    return token.text == "one" and (some or (last and reading.word(index - 1) in _BEFORE_PRONOUN))
+
+
+_BEFORE_PRONOUN = frozenset({"be", "have", "want", "need", "like", "has", "without", "not", "such", "get", "quick"})
+"""Words before "one" where it stands for what was named: "there must not be one"."""
+
+
+def _is_refused_thing(reading: Reading, index: int) -> bool:
+    """Whether a token is a thing that is not wanted, and that no building here has: "no anchors on the walls"."""
+    word = reading.word(index)
+    if word in _PARTS or reading.kind(index) != "word":
+        return word in ("wall", "ceiling") and reading.word(index - 1) == "the" and _hangs_nothing(reading, index - 2)
+    ends = reading.breaks(index + 1) or reading.word(index + 1) in (
+        ",",
+        "on",
+        "in",
+        "and",
+        "or",
+        "please",
+        ")",
+        "anywhere",
+    )
+    refused = reading.word(index - 1) in ("no", "without", "nor") and ends
+    plain = reading.kind(index - 1) != "number" and "but" not in reading.words(index + 3, index + 5)
+    needless = plain and reading.words(index + 1, index + 3) in (("not", "need"), *(("not", word) for word in _NEEDED))
+    return (refused or needless) and index not in reading.mention_at
+
+
+def _hangs_nothing(reading: Reading, index: int) -> bool:
+    """Whether "on" at a token follows a thing that is refused."""
+    return reading.word(index) == "on" and reading.word(index - 2) in ("no", "without", "nor")
+
+
+_NEEDED = frozenset({"needed", "required", "necessary", "wanted"})
+_PARTS = frozenset(
+    """
+    window door wall ceiling roof floor step threshold noise light sun view corridor light smell glass access street
+    """.split()
+)
+"""Parts and qualities that any building has, and which therefore have to be told of where they are not wanted."""
+
+
 def _says_no_more(reading: Reading, index: int) -> bool:
     """Whether a token only goes with what was read beside it: "a bakery building", "a gross area of 90 m2"."""
     token = reading.tokens[index]
+    if _points_back(reading, index) or _is_refused_thing(reading, index):
+        return True
+    if token.text == "plan" and reading.word(index - 1) in ("need", "want", "make", "require"):
+        return True  # "I need plan for my thesis"
     if token.text == "one" and (reading.word(index + 1) == "another" or reading.word(index - 1) in ("each", "every")):
         return True
     if token.text == "one" and reading.word(index - 1) in PLAIN and reading.word(index - 2) in ("a", "an", "the"):

@@ -160,8 +160,12 @@ def _unlit(sketch: Sketch, massing: Massing) -> int:
 _DEEP_FROM = 450.0
 """Least gross area of a storey that may get parallel corridors, square metres."""
 
-_LONG = 6.0
-"""From so many times its depth on, a bar of rooms may become a deeper rectangle where nobody asked for an outline."""
+_LONG, _LONG_ALONE = 6.0, 3.3
+"""From so many times its depth on, a bar of rooms may become a deeper rectangle where nobody asked for an outline; from
+the second on where it has one storey, so that each corridor may end at a door to the outside."""
+
+_LONG_PRICE = 2.0
+"""What each time more counts for beside a room of a wrong form, which counts 1: the way to the bar's ends is long."""
 
 _COMPACT = (1.3, 1.8)
 """Length to depth of the deeper rectangles."""
@@ -182,13 +186,18 @@ def _deep_where_it_suits(
     if (
         decisions.free_form or massing.hall or massing.wings
         or any(storey.setback or storey.extension for storey in layout.storeys)
-        or gross_area(massing) < _DEEP_FROM or not any(comes_out_as_strips(sketch) for sketch in own)
+        or gross_area(massing) < _DEEP_FROM
     ):  # fmt: skip
         return layout
-    best = _price(decisions, wish, layout), layout
+    free = decisions.outline is None and not facts.shapes
+    long = _LONG_ALONE if len(layout.storeys) == 1 else _LONG
+    beyond = max(massing.length / massing.depth - long, 0.0) if free else 0.0
+    if not beyond and not any(comes_out_as_strips(sketch) for sketch in own):
+        return layout
+    best = _price(decisions, wish, layout) + _LONG_PRICE * beyond, layout
     bare = [replace(storey, rooms=()) for storey in layout.storeys]
     rectangles = [(massing.length, massing.depth)]
-    if decisions.outline is None and not facts.shapes and massing.length > _LONG * massing.depth:
+    if beyond:
         rectangles += _compact(gross_area(massing))
     for candidate in (each for rectangle in rectangles for each in aisle_massings(wish, *rectangle)):
         generator = item_generator(decisions.seed, "aisles")
@@ -405,6 +414,10 @@ def _most_home_hub(storey: Storey, allocation: Allocation, knowledge: KnowledgeB
     return max(room - needed_area(storey, allocation, knowledge), _LEAST_HOME_HUB * room)
 
 
+_FREE, _FREE_WITH_STAIRS = 0.84, 0.78
+"""Share of a given outline that rooms take, stairs apart; a hall that also leads to stairs takes more of it."""
+
+
 def _with_rooms(
     storey: Storey,
     massing: Massing,
@@ -426,7 +439,8 @@ def _with_rooms(
     hall = form.hall
     if decisions.free_form and decisions.outline is not None:
         cores = sum(box_area(core.box) for core in massing.cores)
-        room, share = 0.84 * (decisions.outline.area - cores), 0.0
+        share_of_rooms = _FREE_WITH_STAIRS if cores else _FREE
+        room, share = share_of_rooms * (decisions.outline.area - cores), 0.0
     else:
         room, share = capacity(massing, storey), 0.0
     stores = hall and storey.hub.zone == "service"

@@ -1,4 +1,4 @@
-"""Outlines of homes that are too small for wings: an L of two short arms that the rooms share freely."""
+"""Outlines of L-shaped homes: two arms that the rooms share freely, as no corridor with rooms on both sides does."""
 
 import itertools
 import math
@@ -9,6 +9,7 @@ from shapely import affinity
 from shapely.geometry import Polygon
 
 from mansion_geometry.randomness import item_generator
+from mansion_knowledge import kin_of
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.shape_sizes import holds_shape
 
@@ -19,6 +20,9 @@ _LEAST = 48.0
 
 _LEAST_WITH_STAIR = 70.0
 
+_MOST = 230.0
+"""Gross area of a storey up to which its arms are too narrow for a corridor with rooms on both sides, square metres."""
+
 _WHOLE, _HALF = 1.0, 0.5
 """Steps of the corners, metres: cores stand at whole metres, and leave no gap to a side that does too."""
 
@@ -27,7 +31,7 @@ _MISSED = 0.02
 
 
 def with_compact_outline(decisions: Decisions, area: float, stairs: int) -> Decisions:
-    """Return decisions with an outline of its own for an L-shaped home whose storeys are too small for wings.
+    """Return decisions with an outline of its own for an L-shaped home whose arms a corridor with rooms would fill.
 
     Parameters
     ----------
@@ -38,8 +42,11 @@ def with_compact_outline(decisions: Decisions, area: float, stairs: int) -> Deci
     """
     shapes = decisions.facts.shapes
     wanted = bool(shapes) and shapes[0][0] == "L" and decisions.building.family == "home" and decisions.outline is None
-    if not wanted or holds_shape("L", area, stairs) or area < (_LEAST_WITH_STAIR if stairs else _LEAST):
+    if not wanted or not (_LEAST_WITH_STAIR if stairs else _LEAST) <= area <= _MOST:
         return decisions
+    garage = any(kin_of(fact.room_type) == "garage" for fact in decisions.facts.rooms)
+    if garage and holds_shape("L", area, stairs):
+        return decisions  # rooms that share an outline freely leave no rectangle deep enough for cars
     return replace(decisions, outline=compact_l(area, decisions.seed, _WHOLE if stairs else _HALF), free_form=True)
 
 

@@ -106,6 +106,7 @@ def decide(
     given_way: list[Downgrade] = []
     stated, facts = facts, _settled(facts, given_way)
     building = _building(facts, knowledge, trace)
+    building = _without_unwanted_hub(building, facts)
     stated, facts = as_meant_in(building, stated), as_meant_in(building, facts)
     facts = with_room_parts(building, with_main_room(building, facts))
     facts = with_master_suite(facts) if building.family == "home" else facts
@@ -130,6 +131,15 @@ def decide(
     else:
         _settle_area(request, decisions, size, generator, knowledge)
     return decisions
+
+
+def _without_unwanted_hub(building: BuildingType, facts: BriefFacts) -> BuildingType:
+    """Return a building whose ground floor is reached through a corridor, where the brief wants no lobby."""
+    unwanted = {name for name, _ in facts.excluded}
+    other = building.hub_upper
+    if building.hub not in unwanted or not other or other == building.hub or other in unwanted:
+        return building
+    return replace(building, hub=other)
 
 
 _MOODS = frozenset({"elegant", "traditional", "classic", "warm", "cosy", "cozy", "modern", "contemporary", "luxurious"})

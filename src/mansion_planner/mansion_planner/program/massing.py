@@ -131,8 +131,10 @@ def storey_area(
         called = called_size(decisions.facts)
         usual = typical * 0.85 if called == "small" else min(typical, 1.5 * usual)
         usual = decisions.as_called(usual * _LARGER if called == "large" else usual)
-    least = decisions.building.floor_area[0]
-    result = max(usual, asked, decisions.as_called(least))
+    least = decisions.as_called(decisions.building.floor_area[0])
+    if decisions.building.family != "home" and _is_told(storeys, allocation):
+        usual, least = min(usual, _BEYOND_TOLD * asked), min(least, asked)
+    result = max(usual, asked, least)
     if decisions.facts.shapes:
         result = max(result, least_area(decisions.facts.shapes[0][0], cores.stairs))
     trace: list[TraceEntry] = []
@@ -152,6 +154,19 @@ def _is_counted(storeys: Sequence[Storey], allocation: Allocation) -> bool:
     return bool(repeated) and not any(
         allocation.adds(name, storey.index) for name in repeated for storey in storeys if storey.index >= 1
     )
+
+
+_KINDS_TOLD, _KINDS_A_STOREY = 5, 3.0
+"""Kinds of rooms, in all and for each storey, from which on a brief tells what a building holds."""
+
+_BEYOND_TOLD = 1.2
+"""Area of a storey of such a building at most, as a share of what its rooms take, where nobody states it."""
+
+
+def _is_told(storeys: Sequence[Storey], allocation: Allocation) -> bool:
+    """Whether a brief tells what a building holds, so that it is as large as that and has hardly a room besides."""
+    kinds = {fact.room_type for storey in storeys for fact in allocation.wanted[storey.index]}
+    return len(kinds) >= max(_KINDS_TOLD, _KINDS_A_STOREY * len(storeys))
 
 
 def _outgrown(

@@ -28,6 +28,9 @@ def size_of_program(facts: BriefFacts, building: BuildingType, knowledge: Knowle
     school) tells how large the building is: "a hotel with 12 rooms" is no house of five storeys. Homes, and briefs that
     say anything else of the size, keep theirs; so do those that ask for the usual size or more.
     """
+    parked = _parked(facts, building)
+    if parked is not None:
+        return parked
     says_size = facts.area or facts.floor_area or facts.size or facts.occupants or facts.uses or facts.copies
     placed = any(room.floors for room in facts.rooms)
     if building.family == "home" or building.parti != "spine" or says_size or placed:
@@ -42,6 +45,20 @@ def size_of_program(facts: BriefFacts, building: BuildingType, knowledge: Knowle
     if storeys >= building.floors[0]:
         return None
     return ProgramSize(storeys, max(least, whole / storeys), counted[0].span.words)
+
+
+_PARKED = 32.0
+"""Gross square metres for each car of a car park, with its lanes and stairs."""
+
+
+def _parked(facts: BriefFacts, building: BuildingType) -> ProgramSize | None:
+    """Return the size of a car park for so many cars, where the brief says nothing else of its size."""
+    cars = [wanted for wanted in facts.objects if wanted.category == "garage_car" and wanted.count]
+    if building.name != "parking_garage" or not cars or facts.floors or facts.area or facts.floor_area:
+        return None
+    whole = _PARKED * sum(wanted.count or 0 for wanted in cars) + _ENTRANCE
+    storeys = max(1, -(-int(whole) // int(building.floor_area[1])))
+    return ProgramSize(storeys, whole / storeys, cars[0].span.words)
 
 
 def _area(room: RoomFact, knowledge: KnowledgeBase) -> float:

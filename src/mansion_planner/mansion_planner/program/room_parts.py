@@ -72,6 +72,10 @@ def _part_of(room: RoomFact, building: BuildingType, facts: BriefFacts) -> Objec
     if head not in NICHES or hosts is None or room.count != 1 or room.area or room.size or room.suite or room.each:
         return None
     others = [other for other in facts.rooms if other.room_type in hosts and other.count == 1 and other is not room]
+    others = [other for other in others if not (room.floors and other.floors) or other.floors == room.floors]
+    several = any(wanted.room == room.name and (wanted.count or 1) > 1 for wanted in facts.objects)
+    if several and room.floors and not others:
+        return None  # "on the landing a homework nook with three desks"
     before = [other for other in others if other.span.start < room.span.start]
     host = max(before, key=lambda other: other.span.start, default=next(iter(others), None))
     usual = {building.hub, *(entry.room_type for entries in building.storeys.values() for entry in entries)}

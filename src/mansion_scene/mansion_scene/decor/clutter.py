@@ -1,4 +1,4 @@
-"""How much lies about in a room: the small objects of a tidy one, and of one that is crammed with things."""
+"""The amount of clutter in a room: fewer small objects where it is to be tidy, more where it is to be crammed."""
 
 from collections.abc import Sequence
 

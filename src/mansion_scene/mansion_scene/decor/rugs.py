@@ -135,7 +135,7 @@ def _on_free_floor(
 
 
 def _block(count: int, step: tuple[float, float], along: float, across: float) -> tuple[int, int]:
-    """Return columns and rows of a block of so many, as full and as near to the shape of the room as can be."""
+    """Return columns and rows of a block of `count` rugs, as full and as close to the shape of the room as possible."""
 
     def unlike(columns: int) -> float:
         rows = -(-count // columns)

@@ -8,8 +8,8 @@ import numpy as np
 
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Group, Spec
+from mansion_scene.placement.kitchen_runs import run_members, run_pieces, runs
 from mansion_scene.placement.patterns import place_lattice, place_matrix, place_rows
-from mansion_scene.placement.runs import run_members, run_pieces, runs
 from mansion_scene.placement.search import find_placement
 from mansion_scene.placement.units import Size3, Unit, UnitStyle, build_unit
 from mansion_scene.placement.vehicle_bays import place_behind_doors

@@ -1,5 +1,6 @@
 """The geometric model of a room for the solver: boundary edges, walls, door and window areas, axes."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -10,6 +11,8 @@ from shapely.geometry import LineString, Polygon
 from mansion_geometry.boxes import point_inside
 from mansion_geometry.compiled import Floats
 from mansion_geometry.free_space import FreeGrid
+from mansion_geometry.wall_sizes import DOORWAY_DEPTH, doorway_depth
+from mansion_knowledge import kin_of
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.placement import PlacementOpening, PlacementRoom
 from mansion_scene.placement.options import PlacementOptions
@@ -70,6 +73,10 @@ class RoomModel:
     bounds : (4,) array
     aisle : float
         Aisle width aimed at, metres.
+    public : bool
+        Whether it needs the wider public aisle.
+    garage : bool
+        Whether cars stand in it behind their door.
     """
 
     edges: Floats
@@ -85,6 +92,7 @@ class RoomModel:
     bounds: Floats
     aisle: float
     public: bool
+    garage: bool
 
     def zones(self, *, roomy: bool) -> Floats:
         """Return all areas kept clear; `roomy` doors are as deep as their leaf is wide."""
@@ -93,7 +101,7 @@ class RoomModel:
             doors = doors.copy()
             for zone in doors:
                 deeper = min(max(2 * zone[5], 2 * zone[4]), 1.0) / 2 - zone[5]
-                if deeper > 0:
+                if deeper > 0 and 2 * zone[5] > DOORWAY_DEPTH:
                     zone[0] += -zone[3] * deeper
                     zone[1] += zone[2] * deeper
                     zone[5] += deeper
@@ -145,14 +153,15 @@ def build_room(room: PlacementRoom, options: PlacementOptions) -> RoomModel:
         walls=long_walls,
         wall_rows=wall_array(long_walls),
         doors=doors,
-        door_zones=_zones(doors, [-1.0] * len(doors), options.door_depth, edges),
-        window_zones=_zones(windows, [w.sill for w in room.windows], options.window_depth, edges),
+        door_zones=_zones(doors, [-1.0] * len(doors), _depths(room.doors, options), edges),
+        window_zones=_zones(windows, [w.sill for w in room.windows], [options.window_depth] * len(windows), edges),
         door_points=np.array([(d[:2] + d[2:]) / 2 for d in doors]).reshape(-1, 2),
         angles=_angles(walls),
         area=float(polygon.area),
         bounds=np.array(polygon.bounds),
         aisle=options.public_aisle if is_public_room(room.room_type) else options.aisle,
         public=is_public_room(room.room_type),
+        garage=kin_of(room.room_type) == "garage",
     )
 
 
@@ -193,10 +202,16 @@ def _snapped(opening: PlacementOpening, polygon: Polygon) -> Floats:
     return np.array([ends[0].x, ends[0].y, ends[1].x, ends[1].y])
 
 
-def _zones(segments: list[Floats], heights: list[float], depth: float, edges: Floats) -> Floats:
+def _depths(doors: Sequence[PlacementOpening], options: PlacementOptions) -> list[float]:
+    """Return how deep the floor is kept clear behind each door, metres."""
+    beyond = options.door_depth - DOORWAY_DEPTH
+    return [max(beyond + doorway_depth(math.dist(*door.segment), is_open=door.is_open), 0.0) for door in doors]
+
+
+def _zones(segments: list[Floats], heights: list[float], depths: list[float], edges: Floats) -> Floats:
     """Return the box before each opening, on the side of its wall that lies in the room."""
     rows = []
-    for seg, height in zip(segments, heights):
+    for seg, height, depth in zip(segments, heights, depths):
         vector = seg[2:] - seg[:2]
         length = float(np.hypot(*vector))
         if length < 1e-6:

@@ -9,10 +9,10 @@ from mansion_knowledge import default_knowledge, is_class
 from mansion_knowledge.norms import load_norms
 from mansion_msgs_py.shapes import Point
 from mansion_scene.structure.boundaries import BoundarySegment
-from mansion_scene.structure.dimensions import CLEAR_WIDTH, WALL_END
-from mansion_scene.structure.door_positions import Frontage, approach_zone, choose_position
+from mansion_scene.structure.dimensions import CLEAR_WIDTH
+from mansion_scene.structure.door_positions import Frontage
 from mansion_scene.structure.openings import Opening, OpeningKind, is_circulation, with_doors
-from mansion_scene.structure.outer_doors import facades_of
+from mansion_scene.structure.outer_doors import door_in_facade, facades_of
 from mansion_scene.structure.regions import FloorRegions, Region
 
 __all__ = ["exit_doors", "is_crowded", "is_public_building", "middle_of", "place_further_exits"]
@@ -34,7 +34,7 @@ def place_further_exits(
     nets: Mapping[str, Polygon],
     building_type: str,
 ) -> list[Opening]:
-    """Place exits until there are as many as the occupants ask for, each farthest from those that there are.
+    """Place exits until there are as many as the occupants require, each as far as possible from the others.
 
     They lead out of passages and the hub, else of rooms open to the public or of crowded ones. None where the occupants
     are few and everything lies near the entrance, or no facade is far enough from it.
@@ -121,18 +121,13 @@ def exit_doors(
     frontages: Mapping[str, Frontage],
     nets: Mapping[str, Polygon],
 ) -> Iterator[Opening]:
-    """Yield a door into the open in the middle of each facade of a region that has place for one."""
+    """Yield a door into the open in the middle of each facade of a region that has space for one."""
     for facade in facades_of(floor, boundaries, region.id):
         for width in _WIDTHS:
-            center = facade.at(facade.length / 2)
-            position = choose_position([facade], frontages, width, margin=WALL_END, center=center)
-            if position is None:
-                continue
-            dx, dy = facade.direction
-            zone = approach_zone(position.segment, (-dy, dx), wall=0.0)
-            if nets[region.id].intersection(zone).area > 0.95 * zone.area:
-                kind = OpeningKind("entrance", round(position.width, 4), "glass")
-                yield Opening((region.id, None), kind, facade, position.segment)
+            kind = OpeningKind("entrance", width, "glass")
+            door = door_in_facade(facade, region.id, kind, frontages, nets[region.id])
+            if door is not None:
+                yield door
                 break
 
 

@@ -1,7 +1,7 @@
 """The structure of a floor, built from its layout: rooms, walls, doors, windows and cores."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from shapely.geometry import Polygon
@@ -17,6 +17,7 @@ from mansion_scene.structure.access import AccessPlan, Pair, pair_key, plan_acce
 from mansion_scene.structure.boundaries import BoundarySegment, boundary_segments
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
+from mansion_scene.structure.door_positions import Frontage
 from mansion_scene.structure.door_swings import hang_doors
 from mansion_scene.structure.exits import place_further_exits
 from mansion_scene.structure.given_openings import (
@@ -40,8 +41,8 @@ from mansion_scene.structure.openings import (
     with_doors,
 )
 from mansion_scene.structure.outer_doors import entrance_room, place_entrance, place_garage_doors
-from mansion_scene.structure.payloads import number_doors, number_walls, number_windows, scene_rooms
 from mansion_scene.structure.regions import FloorRegions, Region, floor_regions
+from mansion_scene.structure.scene_parts import number_doors, number_walls, number_windows, scene_rooms
 from mansion_scene.structure.second_doors import place_second_doors
 from mansion_scene.structure.street_doors import place_street_doors
 from mansion_scene.structure.windows import place_windows
@@ -113,44 +114,8 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
     frontages = make_frontages(floor, partition)
     if held is not None:
         frontages = with_furniture(frontages, held.standing)
-    openings = [*open_passages(partition), *kept]
-    free = given is None or given.further_doors
-    if floor.floor == GROUND_FLOOR and not any(opening.kind.kind == "entrance" for opening in kept):
-        residential = default_knowledge().is_dwelling(request.building_type)
-        entrance = place_entrance(floor, usable, root, frontages, partition.nets, residential=residential)
-        openings.append(entrance)
-        if free and not residential:
-            beside = with_doors(frontages, [entrance])
-            openings += place_further_exits(floor, usable, entrance, beside, partition.nets, request.building_type)
-            if given is None:
-                beside = with_doors(frontages, openings)
-                kind = request.building_type
-                openings += place_street_doors(floor, usable, openings, beside, partition.nets, kind)
-    frontages = with_doors(frontages, openings)
-    wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets, _driven(kept)) if free else ([], [])
-    frontages = with_doors(frontages, wide)
-    kinds = stated_kinds(floor, given) if given is not None else {}
-    placed, narrowed = place_doors(floor, without_held(plan, kept), shared, frontages, kinds)
-    frontages = with_doors(frontages, placed)
-    if free and held is None:
-        known, kind = [*openings, *wide, *placed], request.building_type
-        second = place_second_doors(floor, usable, shared, known, frontages, partition.nets, kind)
-        placed += second
-        frontages = with_doors(frontages, second)
-    if given is None and held is None:
-        known, kind = [*openings, *placed], request.building_type
-        working = place_working_doors(floor, shared, known, frontages, kind, _wished_pairs(floor, request))
-        placed += working
-        frontages = with_doors(frontages, working)
-    fixed = {opening.segment for opening in kept} if given is not None else set()
-    openings, leafless = hang_doors(
-        floor,
-        partition.nets,
-        [*openings, *wide, *placed],
-        lambda opening: () if opening.segment in fixed else other_places(opening, shared, frontages),
-    )
-    if given is not None:
-        narrowed = [*as_planned(narrowed), *narrow_doors(floor, given, openings)]
+    sites = _DoorSites(request, floor, usable, shared, partition)
+    openings, changed = _all_openings(sites, plan, kept, root, frontages, rebuilt=held is not None)
     rooms = scene_rooms(request, floor, partition, ceiling)
     facade = facade_material(request.building_type, request.seed, request.style)
     walls = number_walls(floor, partition.walls, {room.id: room for room in rooms}, ceiling, facade)
@@ -166,9 +131,112 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         doors=doors,
         windows=number_windows(floor, walls, windows),
         cores=scene_cores(request, floor, partition, openings, doors),
-        downgrades=[*plan.downgrades, *_cut_off(floor, partition), *blocked, *narrowed, *leafless],
+        downgrades=[*plan.downgrades, *_cut_off(floor, partition), *changed],
         ceiling=ceiling,
     )
+
+
+@dataclass(frozen=True)
+class _DoorSites:
+    """What doors are placed in: the rooms, the boundaries of rooms that a robot can enter, and the net rooms."""
+
+    request: FurnishRequest
+    floor: FloorRegions
+    usable: list[BoundarySegment]
+    shared: Mapping[Pair, list[BoundarySegment]]
+    partition: Partition
+
+    @property
+    def free(self) -> bool:
+        """Whether doors may be added to those that a plan of the user's has."""
+        given = self.request.floor.openings
+        return given is None or given.further_doors
+
+
+def _all_openings(
+    sites: _DoorSites,
+    plan: AccessPlan,
+    kept: Sequence[Opening],
+    root: Region,
+    frontages: dict[str, Frontage],
+    *,
+    rebuilt: bool,
+) -> tuple[list[Opening], list[Downgrade]]:
+    """Return open passages and doors, with `kept` doors where they are, and where they differ from the room graph."""
+    floor, nets, given = sites.floor, sites.partition.nets, sites.request.floor.openings
+    openings = [*open_passages(sites.partition), *kept]
+    if floor.floor == GROUND_FLOOR and not any(opening.kind.kind == "entrance" for opening in kept):
+        openings += _outer_doors(sites, root, openings, frontages)
+    frontages = with_doors(frontages, openings)
+    driven = {opening.regions[0] for opening in kept if opening.kind.kind == "garage"}
+    wide, blocked = place_garage_doors(floor, sites.usable, frontages, nets, driven) if sites.free else ([], [])
+    frontages = with_doors(frontages, wide)
+    access = without_held(plan, kept)
+    placed, narrowed, frontages = _inner_doors(sites, access, openings, wide, frontages, rebuilt=rebuilt)
+    fixed = {opening.segment for opening in kept} if given is not None else set()
+    openings, leafless = hang_doors(
+        floor,
+        nets,
+        [*openings, *wide, *placed],
+        lambda opening: () if opening.segment in fixed else other_places(opening, sites.shared, frontages),
+    )
+    if given is not None:
+        narrowed = [*as_planned(narrowed), *narrow_doors(floor, given, openings)]
+    return openings, [*blocked, *narrowed, *leafless]
+
+
+def _outer_doors(
+    sites: _DoorSites, root: Region, known: Sequence[Opening], frontages: Mapping[str, Frontage]
+) -> list[Opening]:
+    """Return the entrance, further exits, and doors of rooms that open to the street; `known` are other openings."""
+    floor, nets, kind = sites.floor, sites.partition.nets, sites.request.building_type
+    residential = default_knowledge().is_dwelling(kind)
+    entrance = place_entrance(floor, sites.usable, root, frontages, nets, residential=residential)
+    doors = [entrance]
+    if not sites.free or residential:
+        return doors
+    doors += place_further_exits(floor, sites.usable, entrance, with_doors(frontages, doors), nets, kind)
+    if sites.request.floor.openings is None:
+        openings = [*known, *doors]
+        doors += place_street_doors(floor, sites.usable, openings, with_doors(frontages, openings), nets, kind)
+    return doors
+
+
+def _inner_doors(
+    sites: _DoorSites,
+    plan: AccessPlan,
+    openings: Sequence[Opening],
+    wide: Sequence[Opening],
+    frontages: dict[str, Frontage],
+    *,
+    rebuilt: bool,
+) -> tuple[list[Opening], list[Downgrade], dict[str, Frontage]]:
+    """Place the doors between rooms, beside other `openings` and `wide` doors for vehicles.
+
+    Returns
+    -------
+    doors : list of Opening
+    narrowed : list of Downgrade
+        Doors that are narrower than wanted.
+    frontages : dict of str to Frontage
+        The frontages with these doors.
+    """
+    floor, shared = sites.floor, sites.shared
+    given, kind = sites.request.floor.openings, sites.request.building_type
+    kinds = stated_kinds(floor, given) if given is not None else {}
+    doors, narrowed = place_doors(floor, plan, shared, frontages, kinds)
+    frontages = with_doors(frontages, doors)
+    if sites.free and not rebuilt:
+        known = [*openings, *wide, *doors]
+        second = place_second_doors(floor, sites.usable, shared, known, frontages, sites.partition.nets, kind)
+        doors += second
+        frontages = with_doors(frontages, second)
+    if given is None and not rebuilt:
+        pairs = _wished_pairs(floor, sites.request)
+        working = place_working_doors(floor, shared, [*openings, *doors], frontages, kind, pairs)
+        doors += working
+        frontages = with_doors(frontages, working)
+    return doors, narrowed, frontages
 
 
 def _wished_pairs(floor: FloorRegions, request: FurnishRequest) -> set[Pair]:
@@ -200,11 +268,6 @@ def _entered(
     if entered is None and given is not None:
         entered = stated_entrance(floor, given)
     return entered or (entrance_room(floor, usable) if floor.floor == GROUND_FLOOR else floor.hub)
-
-
-def _driven(openings: Sequence[Opening]) -> set[str]:
-    """Return the rooms that have a door for vehicles."""
-    return {opening.regions[0] for opening in openings if opening.kind.kind == "garage"}
 
 
 def _walkable_rooms(floor: FloorRegions, boundaries: Sequence[BoundarySegment]) -> dict[str, Polygon]:

@@ -54,7 +54,9 @@ def _regions(floor: FloorRegions, door: GivenDoor) -> tuple[Region, Region | Non
     for name in door.rooms:
         if name is not None and name not in floor.by_node:
             raise MansionError(
-                ErrorCode.INVALID_PAYLOAD, f"a door leads to {name!r}, which the floor has not", path="$.floor.openings"
+                ErrorCode.INVALID_PAYLOAD,
+                f"a door leads to {name!r}, which the floor does not have",
+                path="$.floor.openings",
             )
     first, second = door.rooms
     return floor.by_node[first], floor.by_node[second] if second is not None else None

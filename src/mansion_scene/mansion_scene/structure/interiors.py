@@ -94,7 +94,7 @@ def _split(
 
 
 def _too_narrow(gaps: _Gaps, clear: Sequence[Segment | None]) -> list[BoundarySegment]:
-    """Return the boundaries whose gap nobody fits through, but not the widest gap of a pair."""
+    """Return the boundaries whose gap is too narrow to pass, but not the widest gap of a pair."""
     widths = [0.0 if segment is None else math.dist(*segment) for segment in clear]
     widest = max(range(len(widths)), key=widths.__getitem__)
     return [

@@ -228,7 +228,7 @@ def other_places(
 
 
 def narrower_widths(wished: float) -> list[float]:
-    """Return the clear widths of a door, the wished one first, down to 0.9 m."""
+    """Return the clear widths of a door, the wanted one first, down to 0.9 m."""
     return [wished, *(width for width in (BED_WIDTH, CLEAR_WIDTH) if width < wished)]
 
 

@@ -1,6 +1,7 @@
 """Doors in outer walls: the building's entrance and garage doors."""
 
 from collections.abc import Container, Mapping, Sequence
+from dataclasses import replace
 
 import shapely
 from shapely.geometry import LineString, Point, Polygon
@@ -10,11 +11,11 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import GROUND_FLOOR, Downgrade
 from mansion_scene.structure.boundaries import BoundarySegment, reentrant_corners, usable_part
 from mansion_scene.structure.dimensions import CLEAR_WIDTH, WALL_END
-from mansion_scene.structure.door_positions import Frontage, approach_zone, choose_position
+from mansion_scene.structure.door_positions import Frontage, Position, approach_zone, choose_position
 from mansion_scene.structure.openings import Opening, OpeningKind, entrance_kind, is_circulation, with_doors
 from mansion_scene.structure.regions import FloorRegions, Region
 
-__all__ = ["entrance_room", "facades_of", "place_entrance", "place_garage_doors"]
+__all__ = ["door_in_facade", "entrance_room", "facades_of", "place_entrance", "place_garage_doors"]
 
 _ENTRANCE_WALL = CLEAR_WIDTH + 2 * WALL_END
 
@@ -55,6 +56,30 @@ def facades_of(floor: FloorRegions, boundaries: Sequence[BoundarySegment], regio
         and shapely.distance(ring, shapely.Point(boundary.at(boundary.length / 2))) < 0.01
     ]
     return sorted(facades, key=lambda boundary: -round(boundary.length, 3))
+
+
+def door_in_facade(
+    facade: BoundarySegment, region: str, kind: OpeningKind, frontages: Mapping[str, Frontage], net: Polygon
+) -> Opening | None:
+    """Return a door as near to the middle of a facade as may be; ``None`` where there is no free floor behind it.
+
+    Parameters
+    ----------
+    region : str
+        The room behind the facade, whose walls leave the floor `net` free.
+    """
+    center = facade.at(facade.length / 2)
+    position = choose_position([facade], frontages, kind.width, margin=WALL_END, center=center)
+    if position is None or not _is_free(position, net):
+        return None
+    return Opening((region, None), replace(kind, width=round(position.width, 4)), facade, position.segment)
+
+
+def _is_free(position: Position, net: Polygon) -> bool:
+    """Whether the floor behind a place for an outer door is free."""
+    dx, dy = position.boundary.direction
+    zone = approach_zone(position.segment, (-dy, dx), wall=0.0)
+    return bool(net.intersection(zone).area > 0.95 * zone.area)
 
 
 def entrance_room(floor: FloorRegions, boundaries: Sequence[BoundarySegment]) -> Region:
@@ -130,9 +155,7 @@ def place_entrance(
             position = choose_position([facade], frontages, width, margin=margin)
             if position is None:
                 continue
-            dx, dy = facade.direction
-            zone = approach_zone(position.segment, (-dy, dx), wall=0.0)
-            if nets[region.id].intersection(zone).area > 0.95 * zone.area or facade is facades[-1]:
+            if facade is facades[-1] or _is_free(position, nets[region.id]):
                 return Opening(
                     (region.id, None),
                     OpeningKind("entrance", round(position.width, 4), kind.material),
@@ -225,15 +248,10 @@ def _place(
     large = region.polygon.area >= _TWO_CARS
     for width in (*(_GARAGE_WIDTHS if large else _GARAGE_WIDTHS[-1:]), _NARROWEST_GARAGE):
         for facade in facades:
-            center = facade.at(facade.length / 2)
-            position = choose_position([facade], frontages, width, margin=WALL_END, center=center)
-            if position is None:
-                continue
-            dx, dy = facade.direction
-            zone = approach_zone(position.segment, (-dy, dx), wall=0.0)
-            if nets[region.id].intersection(zone).area > 0.95 * zone.area:
-                kind = OpeningKind("garage", round(position.width, 4), "painted_steel")
-                return Opening((region.id, None), kind, facade, position.segment)
+            kind = OpeningKind("garage", width, "painted_steel")
+            door = door_in_facade(facade, region.id, kind, frontages, nets[region.id])
+            if door is not None:
+                return door
     return Downgrade(
         wish=f"a garage door for {region.id}",
         got="none",

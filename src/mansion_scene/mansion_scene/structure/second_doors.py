@@ -1,4 +1,4 @@
-"""A second door of rooms for so many people that one is not enough."""
+"""Second doors of rooms that hold too many people for one door."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence

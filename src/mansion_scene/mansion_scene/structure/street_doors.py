@@ -1,4 +1,4 @@
-"""Doors of shops, showrooms and restaurants to the street, through which customers come in to them."""
+"""Doors to the street through which customers enter shops, showrooms and restaurants."""
 
 from collections.abc import Mapping, Sequence
 from typing import Final
@@ -7,11 +7,11 @@ from shapely.geometry import Polygon
 
 from mansion_knowledge import kin_of
 from mansion_scene.structure.boundaries import BoundarySegment
-from mansion_scene.structure.dimensions import CLEAR_WIDTH, WALL_END
-from mansion_scene.structure.door_positions import Frontage, approach_zone, choose_position
+from mansion_scene.structure.dimensions import CLEAR_WIDTH
+from mansion_scene.structure.door_positions import Frontage
 from mansion_scene.structure.exits import is_public_building
 from mansion_scene.structure.openings import Opening, OpeningKind, with_doors
-from mansion_scene.structure.outer_doors import facades_of
+from mansion_scene.structure.outer_doors import door_in_facade, facades_of
 from mansion_scene.structure.regions import FloorRegions
 
 __all__ = ["place_street_doors"]
@@ -34,7 +34,7 @@ def place_street_doors(
 ) -> list[Opening]:
     """Place a glazed door in the longest facade of each room of customers that has no door to the open.
 
-    None in homes, and none where its facade has no place for one.
+    None in homes, and none where the facade has no space for one.
     """
     if not is_public_building(building_type):
         return []
@@ -54,11 +54,7 @@ def _street_door(
 ) -> Opening | None:
     for width in _WIDTHS:
         for facade in facades:
-            position = choose_position([facade], frontages, width, margin=WALL_END, center=facade.at(facade.length / 2))
-            if position is None:
-                continue
-            dx, dy = facade.direction
-            zone = approach_zone(position.segment, (-dy, dx), wall=0.0)
-            if net.intersection(zone).area > 0.95 * zone.area:
-                return Opening((region, None), OpeningKind("entrance", width, "glass"), facade, position.segment)
+            door = door_in_facade(facade, region, OpeningKind("entrance", width, "glass"), frontages, net)
+            if door is not None:
+                return door
     return None

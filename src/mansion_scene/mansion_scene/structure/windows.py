@@ -171,7 +171,7 @@ def _on_grid(
 ) -> list[float]:
     """Return where windows start whose middles stand on lines of the grid that all storeys share.
 
-    Nothing where the wall runs across the grid, or where fewer windows than `count` would find a line. Of the lines
+    Nothing where the wall runs across the grid, or where fewer windows than `count` would find a line. Among the lines
     that are far enough apart those are taken that windows of the same kind take on other storeys too.
     """
     dx, dy = boundary.direction

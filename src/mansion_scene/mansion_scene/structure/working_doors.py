@@ -1,4 +1,4 @@
-"""Doors between rooms that people pass from one into the other because of what they do there."""
+"""Doors between rooms that are used together, such as a kitchen and its store."""
 
 from collections.abc import Collection, Mapping, Sequence
 
@@ -30,7 +30,7 @@ def place_working_doors(
     building_type: str,
     wished: Collection[Pair] = (),
 ) -> list[Opening]:
-    """Place a door between rooms that share a wall and lead into each other by use, in addition to those there are.
+    """Place a door between rooms that share a wall and lead into each other by use, in addition to the existing ones.
 
     A room is reached so from one other of each use, the storey's hub aside: the cold store from the kitchen that it has
     the longest wall with. Doors that the walls have no place for are left out.
@@ -88,7 +88,7 @@ def _longest(walls: Sequence[BoundarySegment]) -> float:
 def _door(
     room: Region, into: Region, walls: Sequence[BoundarySegment], frontages: Mapping[str, Frontage]
 ) -> Opening | None:
-    """Return the best door between two rooms; ``None`` where their wall has no place for one as wide as it must be."""
+    """Return the best door between two rooms; ``None`` where their wall has no space for one that is wide enough."""
     kind = opening_kind(room, into)
     if is_class(into.room_type, "outdoor"):
         return None

@@ -77,7 +77,7 @@ class CameraTopics:
             self._camera = None
 
     def publish(self) -> None:
-        """Take a picture and publish what somebody listens to."""
+        """Take a picture and publish the topics that have subscribers."""
         rgb, depth, labels, points, info = (
             publisher.get_subscription_count() > 0
             for publisher in (self._rgb, self._depth, self._labels, self._points, self._info)

@@ -284,7 +284,7 @@ class RobotStack:
         self._imu.publish(message)
 
     def publish_scan(self, session: Session) -> None:
-        """Publish a scan when somebody listens; the caller holds the world's lock."""
+        """Publish a scan when there are subscribers; the caller holds the world's lock."""
         if self._scan.get_subscription_count() == 0:
             return
         robot = session.robot

@@ -366,7 +366,7 @@ class SkillServer(MansionNode):
             self._world_clock.publish(message)
 
     def _save(self, session: Session) -> None:
-        """Save where a robot was driven; nobody waits for an answer that could say that it failed."""
+        """Save where a robot was driven; no caller waits for an answer that could report a failure."""
         try:
             session.save()
         except (MansionError, OSError) as error:

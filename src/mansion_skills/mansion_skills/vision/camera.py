@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 __all__ = ["Camera"]
 
 LARGEST = (640, 480)
-"""Pixels of the largest picture beside the frames."""
+"""Pixels of the largest picture other than the frames."""
 
 CORE_VIEW = Intrinsics(480, 480, 90.0)
 """The camera that looks into a stair or a lift."""

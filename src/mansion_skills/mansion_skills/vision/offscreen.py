@@ -35,7 +35,7 @@ def backend() -> str:
     for name in [named] if named in BACKENDS else list(BACKENDS):
         if find_library(BACKENDS[name]) is not None:
             return name
-    raise MansionError(ErrorCode.UNAVAILABLE, f"there is no OpenGL that renders offscreen; {LIBRARIES}")
+    raise MansionError(ErrorCode.UNAVAILABLE, f"no OpenGL library here can render offscreen; {LIBRARIES}")
 
 
 def rendering_fault(patience: float = 60.0) -> str:

@@ -1,4 +1,4 @@
-"""Where a picture is taken from: the robot of a session, put at a room, a stair or a lift of any floor."""
+"""Viewpoints of pictures: the robot of a session, put at a room, a stair or a lift of any floor."""
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wording import choices

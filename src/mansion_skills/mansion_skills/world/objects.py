@@ -108,7 +108,7 @@ class ObjectTable:
             self.changed[state.id] = state
 
     def set_state(self, name: str, key: str, value: bool | float | str) -> None:
-        """Change one property, ``open`` or ``on`` say."""
+        """Change one property, such as ``open`` or ``on``."""
         state = self.state(name)
         self.put(msgspec.structs.replace(state, states={**state.states, key: value}))
 

@@ -1,4 +1,4 @@
-"""The two ends of every comparison: an agent that calls skills at random, and one that follows the oracle's plan."""
+"""Baseline agents: one that calls skills at random, and one that follows the oracle's plan."""
 
 from typing import Any
 

@@ -268,7 +268,7 @@ class Explorer(Agent):
         return (yield from self._go("GoToLandmark", "landmark", landmark))
 
     def _go(self, skill: str, argument: str, name: str) -> SkillSequence:
-        """Go somewhere; open a closed_objects door that is in the way, and get out of a corner."""
+        """Go somewhere; open a closed door that is in the way, and get out of a corner."""
         for _ in range(3):
             if (yield from self._do(skill, **{argument: name})):
                 return True

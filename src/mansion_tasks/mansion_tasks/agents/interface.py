@@ -13,7 +13,7 @@ __all__ = ["Access", "Agent", "Briefing", "Pictures", "MapEntry", "Observation",
 
 @dataclass(frozen=True)
 class Access:
-    """What an agent may know beside the instruction, its own state and what its skills answered.
+    """What an agent may know besides the instruction, its own state and what its skills answered.
 
     Attributes
     ----------

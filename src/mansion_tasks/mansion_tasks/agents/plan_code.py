@@ -39,14 +39,14 @@ def read_plan(code: str) -> list[SkillCall]:
     mansion_tasks.agents.plan_code.PlanError: line 1: a statement must be one call of a skill
     """
     if len(code) > MAX_LENGTH:
-        raise PlanError(f"the plan has {len(code)} characters; {MAX_LENGTH} may be")
+        raise PlanError(f"the plan has {len(code)} characters; at most {MAX_LENGTH} are allowed")
     try:
         tree = ast.parse(code)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         line = getattr(error, "lineno", None) or 1
         raise PlanError(f"line {line}: {str(error)[:100]}; write calls of skills") from None
     if len(tree.body) > MAX_CALLS:
-        raise PlanError(f"the plan has {len(tree.body)} calls; {MAX_CALLS} may be")
+        raise PlanError(f"the plan has {len(tree.body)} calls; at most {MAX_CALLS} are allowed")
     return [_call(statement) for statement in tree.body]
 
 

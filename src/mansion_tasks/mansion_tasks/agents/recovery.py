@@ -1,4 +1,4 @@
-"""Get out of a corner: what to do once the way ahead was blocked (the first failure case of section F.5)."""
+"""Recovery from a corner: what to do when the way ahead is blocked (the first failure case of section F.5)."""
 
 from collections.abc import Mapping
 from typing import Final

@@ -96,5 +96,5 @@ def faulty_arguments(skill: str, arguments: Mapping[str, Any]) -> str:
             if not right or not isfinite(value):
                 return f"{name} of {skill} must be a number, not {shown}"
         elif not isinstance(value, str) or not 0 < len(value) <= LONGEST:
-            return f"{name} of {skill} must be a text, not {shown}"
+            return f"{name} of {skill} must be a string, not {shown}"
     return ""

@@ -1,4 +1,4 @@
-"""Many episodes: every agent at every task, over processes, going on where an interrupted run ended."""
+"""Many episodes: every agent at every task, over processes, resuming where an interrupted run ended."""
 
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, closing, contextmanager
@@ -88,7 +88,7 @@ def run_bench(
     ------
     MansionError
         For files that are not task sets, agents that do not exist, or a model or node that is not available. Logs of
-        finished episodes stay, so that the same call goes on from them.
+        finished episodes stay, so that the same call continues from them.
     """
     check_agents(list(bench.agents))
     total = sum(len(read_task_set(file).tasks) for file in bench.files) * len(bench.agents)

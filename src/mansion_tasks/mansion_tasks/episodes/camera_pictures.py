@@ -1,6 +1,6 @@
 """Pictures for agents from the robot's camera, the objects in view marked with numbers."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
@@ -162,17 +162,17 @@ class SnapshotPictures:
 
     def lift_panel(self) -> bytes:
         """See `Pictures.lift_panel`."""
-        camera = self._camera()
-        try:
-            return b"" if camera is None else _picture(camera.lift_panel())
-        except MansionError:
-            return b""
+        return self._drawn(lambda camera: camera.lift_panel())
 
     def stairs(self) -> bytes:
         """See `Pictures.stairs`."""
+        return self._drawn(lambda camera: camera.stairs_view())
+
+    def _drawn(self, draw: "Callable[[Camera], npt.NDArray[np.uint8]]") -> bytes:
+        """Return a picture that the camera draws; empty without a camera, or where it cannot be drawn."""
         camera = self._camera()
         try:
-            return b"" if camera is None else _picture(camera.stairs_view())
+            return b"" if camera is None else _picture(draw(camera))
         except MansionError:
             return b""
 

@@ -85,7 +85,7 @@ class LocalPort:
 
 
 def called_skill(call: SkillCall) -> Skill | SkillResult:
-    """Return the skill that is called, or the refusal of a call that is none or reaches for another robot."""
+    """Return the skill that is called, or the refusal of a call that is invalid or meant for another robot."""
     skill = skill_named(call.skill)
     if skill is None:
         known = ", ".join(entry.name for entry in SKILLS.values())

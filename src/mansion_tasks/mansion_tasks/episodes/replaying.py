@@ -57,7 +57,8 @@ def replay(
             differences.append(f"success is {score.success}, logged {log.end.success}")
         progress = (round(score.retrieval, 6), round(score.navigation, 6))
         if progress != (log.end.retrieval, log.end.navigation):
-            differences.append(f"retrieval and navigation are {progress}, not as logged")
+            logged = (log.end.retrieval, log.end.navigation)
+            differences.append(f"retrieval and navigation are {progress}, logged {logged}")
         if world_digest(world, robot) != log.end.digest:
-            differences.append("the world at the end is another one")
+            differences.append("the world differs at the end")
     return differences

@@ -1,4 +1,4 @@
-"""Units of a bench in processes: each episode is heard of when it ends, and all processes end when the bench does."""
+"""Units of a bench in processes: each episode is reported when it ends, and all processes end with the bench."""
 
 import os
 import queue

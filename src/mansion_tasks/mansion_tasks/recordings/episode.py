@@ -1,4 +1,4 @@
-"""An episode as an MCAP file: its skills are run again, and what the world is after each is written down."""
+"""An episode as an MCAP file: its skills are run again, and the state of the world after each is recorded."""
 
 from dataclasses import dataclass
 from io import BytesIO
@@ -104,7 +104,7 @@ def record_episode(
         if differences:
             raise MansionError(
                 ErrorCode.CONFLICT,
-                f"the episode does not repeat itself in {building}: {differences[0]}",
+                f"the episode cannot be reproduced in {building}: {differences[0]}",
                 details={"differences": differences},
             )
         recorder.finish()
@@ -178,7 +178,8 @@ def _seen(pictures: CameraPictures, world: World, robot: RobotBody) -> "npt.NDAr
     if camera is None:
         raise MansionError(
             ErrorCode.UNAVAILABLE,
-            "nothing can render here: pictures need the extra 'sim' and an OpenGL; without --pictures it is recorded",
+            "nothing can render here: pictures need the extra 'sim' and an OpenGL; "
+            "the episode can be recorded without --pictures",
         )
     return camera.render(depth=False, segmentation=False).rgb
 

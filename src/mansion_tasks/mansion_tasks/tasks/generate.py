@@ -184,7 +184,7 @@ class Recipe:
 
 
 def recipes_for(floors: int, kind: TaskKind | None = None) -> list[Recipe]:
-    """Return the recipes for a building of so many floors, in the order in which they take turns."""
+    """Return the recipes for a building with this number of floors, in the order in which they take turns."""
     every = [
         Recipe(TaskKind.DELIVER, 1),
         Recipe(TaskKind.DELIVER, 2),

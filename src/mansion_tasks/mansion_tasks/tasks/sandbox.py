@@ -123,11 +123,11 @@ class Sandbox:
         self.robot.pose = Pose2D(x=x, y=y, yaw=start.pose.yaw)
 
     def run(self, call: SkillCall) -> SkillResult:
-        """Run a skill to its end; an unknown skill, or arguments that it does not take, are an ``INVALID_ACTION``."""
+        """Run a skill to its end; an unknown skill or argument is an ``INVALID_ACTION``."""
         self.steps += 1
         skill = skill_named(call.skill)
         if skill is None or skill.query:
-            text = f"there is no skill {call.skill!r} that does something"
+            text = f"{call.skill!r} is not a skill that acts"
             return invalid(self.world, self.robot, call.skill, text, "a skill of docs/skills.md")
         try:
             arguments = convert(skill.arguments, {**call.arguments, "session": SESSION})

@@ -1,4 +1,4 @@
-"""Lifts, stairs, and the widths of corridors and doors."""
+"""Rules on lifts, stairs, and the widths of corridors and doors."""
 
 import math
 from collections.abc import Iterator

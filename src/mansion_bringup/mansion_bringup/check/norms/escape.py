@@ -1,4 +1,4 @@
-"""Exits of storeys and rooms, how far apart and how wide they are, the ways to them, and dead ends."""
+"""Rules on the exits of storeys and rooms: their number, distance and width, the ways to them, and dead ends."""
 
 import itertools
 import math
@@ -107,8 +107,8 @@ def _distances(premises: Premises, scene: FloorScene, exits: list[str], rule: st
 def _dead_ends(premises: Premises, scene: FloorScene, exits: list[str]) -> Iterator[Deviation]:
     """Yield corridors with a place from which the ways to all exits begin with the same long stretch.
 
-    Of a place and two exits, half of what its distances to them exceed theirs to each other is the stretch that both
-    ways share; in a corridor, which branches like a tree, that is exact.
+    The ways from a place to two exits share half of the sum of their lengths less the distance between the exits; in a
+    corridor, which branches like a tree, that is exact.
     """
     norm = premises.norm("dead_end")
     passages = [room for room in rooms_of(scene) if premises.knowledge.room(room.room_type).zone == "circulation"]

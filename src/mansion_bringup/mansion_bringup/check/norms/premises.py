@@ -1,4 +1,4 @@
-"""A finished building as the rules look at it: its family, rooms and occupants, and what leads where."""
+"""A finished building as the rules see it: its family, rooms and occupants, and which doors lead where."""
 
 import re
 from collections.abc import Iterable, Iterator, Sequence

@@ -1,4 +1,4 @@
-"""Daylight, least areas and proportions of rooms, and the share of circulation."""
+"""Rules on the daylight, least areas and proportions of rooms, and on the share of circulation."""
 
 import math
 from collections import defaultdict

@@ -1,4 +1,4 @@
-"""Which rooms belong together, and between which no door may be."""
+"""Rules on rooms that must be near each other, and on rooms that no door may join."""
 
 from collections.abc import Iterator
 
@@ -18,7 +18,7 @@ _DOOR_RULES = (
     "court_door",
 )
 _ANYWHERE = 9
-"""From so many storeys on, a rule asks for no companion at all."""
+"""Number of storeys from which on a rule asks for no companion at all."""
 
 _COMPANION_RULES = ("sports_changing", "pool_showers", "operating_recovery")
 

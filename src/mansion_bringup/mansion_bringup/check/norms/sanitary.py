@@ -1,4 +1,4 @@
-"""Toilets and washbasins for those who use a building, and wet rooms above each other."""
+"""Rules on toilets and washbasins for those who use a building, and on wet rooms above each other."""
 
 import math
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""What guests, patients, residents and sleepers have: a toilet, a shower, a kitchen, their own or shared."""
+"""Rules on what guests, patients and residents have for themselves or share: toilets, showers, kitchens."""
 
 import math
 from collections.abc import Iterator, Sequence

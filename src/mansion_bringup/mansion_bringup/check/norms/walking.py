@@ -1,4 +1,4 @@
-"""Ways on a storey: from place to place in straight lines around the corners of rooms, through doors."""
+"""Walking distances on a storey: straight lines around the corners of rooms and through doors."""
 
 import math
 from collections.abc import Sequence

@@ -42,6 +42,8 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         NotUnderstood
             Where the words make no clause.
         """
+        if at >= len(self.words):
+            raise NotUnderstood(len(self.words) - 1, len(self.words))
         staying = (
             self._way_stays_free(at, at)
             or self._meant(at)

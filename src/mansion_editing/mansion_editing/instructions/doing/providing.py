@@ -13,7 +13,6 @@ from mansion_editing.instructions.doing.work import Done, Work, listed, live
 from mansion_editing.instructions.meaning.choices import one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
-from mansion_editing.instructions.meaning.measured import is_comparative
 from mansion_editing.instructions.meaning.nouns import called, has_material
 from mansion_editing.instructions.meaning.numbers import (
     is_one_of_each_room,
@@ -32,6 +31,7 @@ from mansion_editing.instructions.meaning.wording import (
     there_were,
     thing_words,
 )
+from mansion_editing.instructions.phrases.nouns import is_comparative
 from mansion_editing.instructions.phrases.word_sets import BESIDE_RELATIONS
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Place, Replace, Rooms, Things
 from mansion_editing.provisioning.facts import ObjectDescription, Scope

@@ -21,6 +21,7 @@ from mansion_editing.tools.relations import relation_holds
 from mansion_editing.tools.tops import carries_on_top
 from mansion_msgs_py.editing.objects import Side
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 
 __all__ = ["all_at", "anchors_of", "carried_by", "is_at", "rooms_of", "things_of"]
@@ -156,7 +157,8 @@ def _things_of(
     if noun and not things.owned:
         things, noun = _with_owner(state, pool, things, noun, context)
     many = means_several(things)
-    pool = [item for item in pool if _has_traits(item, things, coloured)]
+    if things.colour or things.material or things.states:
+        pool = [item for item in pool if _has_traits(item, things, coloured)]
     apart = not many and things.place is not None and _are_several(things.place.rooms)
     if noun or not things.refers:
         pool = _called(state, pool, noun, apart=apart, many=True, every=things.amount.kind == "all")
@@ -362,8 +364,8 @@ class _Placed:
 
 def _doors_at(state: SceneState, place: Place, context: Context) -> list[str] | None:
     """Return the ids of the doors that a place is at, None where it is at something else."""
-    from mansion_editing.instructions.meaning.doors import doors_at, means_doors  # which asks for rooms here
-
+    with importing:
+        from mansion_editing.instructions.meaning.doors import doors_at, means_doors  # which asks for rooms here
     if place.anchor is None or not means_doors(place.anchor):
         return None
     return [door.id for door in doors_at(state, place, context)]

@@ -3,11 +3,11 @@
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from mansion_editing.instructions.phrases.nouns import COMPARATIVES
+from mansion_editing.instructions.phrases.nouns import COMPARATIVES, is_comparative
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point3
 
-__all__ = ["compares", "is_comparative", "told_by_size"]
+__all__ = ["compares", "told_by_size"]
 
 MARGIN: Final = 1.2
 """How many times a thing must be as large as the next one, so that it is plain which is meant."""
@@ -29,11 +29,6 @@ _MEASURES: Final[dict[str, tuple[Callable[[Point3], float], float]]] = {
     "large": (_area, 1.0), "small": (_area, -1.0), "tall": (_height, 1.0), "low": (_height, -1.0),
     "long": (_length, 1.0),
 }  # fmt: skip
-
-
-def is_comparative(hint: str) -> bool:
-    """Whether an adjective compares."""
-    return hint in COMPARATIVES
 
 
 def compares(hints: Sequence[str], new: Point3, old: Point3) -> bool:

@@ -169,7 +169,8 @@ def called(
     if whole := [item for item in pool if item.id.lower() == noun.strip().lower()]:
         return whole
     tail = noun.strip().lower().replace(" ", "_")
-    ended = [item for item in pool if re.search(r"_\d+$", tail) and item.id.lower().endswith(f"/{tail}")]
+    numbered = re.search(r"_\d+$", tail) is not None
+    ended = [item for item in pool if numbered and item.id.lower().endswith(f"/{tail}")]
     if ended or "/" in noun:
         return ended
     if words == "door":

@@ -17,7 +17,13 @@ DETERMINERS: Final = (
 )
 CLAUSE_START: Final = r"(?:^|(?<=[.!?;:,(] )|(?<=- )|(?<=\n)|(?<=\band )|(?<=\bbut )|(?<=\bso )|(?<=\bplease ))"
 
+_NO_NAMES: Final = (
+    "is|are|was|were|be|has|have|had|can|could|will|would|should|must|may|not|and|or|but|that|which|who|it|they|them|in"
+    "|on|at|to|of|for|from|with|so|please|there|makes?|keeps?|looks?|needs?|gets?|takes?|stands?|goes|belongs?"
+)
+"""Words that no bare name has within it."""
 _FURTHER_WORDS: Final = r"(?: (?!(?:and|or|but)\b)[\w'-]+){1,9}?"
+_ORDERS: Final = "|".join(sorted(words[0] for words in BY_WORDS if len(words) == 1))
 _MACROS: Final = {
     "^": CLAUSE_START,
     "$": r"(?=\s*(?:[.!?;,:)\n]|- |$))",
@@ -33,14 +39,15 @@ _MACROS: Final = {
     "state": "(?:on|off|open|closed|shut|running|switched on|switched off|lit)",
     "rest": r"[^.!?;\n]+?",
     "lead": r"[^.!?;:\n]+?",
-    "order": f"(?:{'|'.join(sorted(words[0] for words in BY_WORDS if len(words) == 1))})",
+    "bare": rf"(?:(?!(?:{DETERMINERS}|{_ORDERS}|{_NO_NAMES})\b)[a-z'-]+(?: (?!(?:{_NO_NAMES})\b)[a-z'-]+){{0,3}}?)",
+    "order": f"(?:{_ORDERS})",
 }
 _CONTRACTED: Final = (
     (r"\bcan't\b", "cannot"), (r"\bwon't\b", "will not"), (r"\bshan't\b", "shall not"), (r"n't\b", " not"),
     (r"(?<=\w)'d\b", " would"), (r"(?<=\w)'m\b", " am"), (r"(?<=\w)'re\b", " are"), (r"(?<=\w)'ve\b", " have"),
     (r"(?<=\w)'ll\b", " will"), (r"\blet's\b", "let us"),
-    (r"\b(it|that|there|what|who|here|he|she|everything|nothing|whatever|where|one|two|which)'s\b", r"\1 is"),
-    (r"\bit is got\b", "it has got"),
+    (r"\b(it|that|there|what|who|here|he|she|everything|nothing|whatever|where|one|two|which|whoever)'s\b", r"\1 is"),
+    (r"\bit is got\b", "it has got"), (r"(?<=\w)'s (?=been\b|got\b|gone\b)", " has "),
 )  # fmt: skip
 _MARKS: Final = (
     ("[‘’`]", "'"), ("[“”„]", '"'), (r"\s*(?:\.\.\.|…)\s*", " - "), (r"\s+(?:--|[–—-])\s+", " - "),

@@ -1,7 +1,8 @@
 """Read an instruction; one that is not understood as it stands, in other words and without what only tells."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Final
 
 import msgspec
@@ -11,13 +12,15 @@ from mansion_editing.instructions.paraphrases.remarks import without_remarks
 from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Instruction, Mention, Things
+from mansion_editing.instructions.statements import Instruction, Keep, Mention, Things
+from mansion_editing.instructions.syntax.arrows import without_arrows
+from mansion_editing.instructions.syntax.main_points import MainPoints, main_points
 from mansion_editing.state import SceneState
 
 __all__ = ["read_in_other_words", "reworded"]
 
 _MOST_REMARKS = 2
-_MOST_READINGS = 14
+_MOST_READINGS = 20
 """How often one instruction is read."""
 _CORRECTION: Final = re.compile(
     r"(?:\.\.\.|…|\s-|,|\.)\s*(?:(?:no|oh|oops|er|um)\b,? )*"
@@ -42,18 +45,52 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
     first = read_instruction(plainly, state, brief)
     if plainly != text:
         first, text = msgspec.structs.replace(first, read_as=plainly), plainly
-    if first.undecided or _is_clear(first, text):
-        return first
     lexicon = Lexicon(state)
-    for number, (plain, remarks) in enumerate(_wordings(text, lexicon, tuple(state.floors))):
-        if number >= _MOST_READINGS:
+    if first.undecided:
+        return first
+    points = tuple(main_points(in_running_text(text), lexicon))
+    clear = first if _is_clear(first, text) else None
+    if clear is not None and not _acts_on(points, clear):
+        return clear
+    for number, said in enumerate(_wordings(text, lexicon, points, tuple(state.floors))):
+        if number >= _MOST_READINGS or (clear is not None and not said.remarks):
             break
-        read = read_instruction(plain, state, brief)
-        if _is_clear(read, plain):
-            left = [Mention(quote=remark, passed_over=True) for remark in remarks]
-            return msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=plain)
+        read = read_instruction(said.text, state, brief)
+        doubtful = bool(said.remarks) and (_only_keeps(read) or _may_ask(said, state, brief))
+        if _is_clear(read, said.text) and not doubtful:
+            left = [Mention(quote=remark, passed_over=True) for remark in said.remarks]
+            found = msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=said.text)
+            if said.remarks or not _acts_on(points, found):
+                return found
+            clear = found
+    if clear is not None:
+        return clear
     taken_back = "" if first.not_understood else _taken_back(first, text)
     return msgspec.structs.replace(first, not_understood=[taken_back]) if taken_back else first
+
+
+def _may_ask(said: MainPoints, state: SceneState, brief: str) -> bool:
+    """Whether a clause that was left out would be understood as a request if it stood alone."""
+    for remark in said.remarks:
+        if remark not in said.described:
+            alone = read_instruction(remark, state, brief)
+            if not alone.not_understood and not _only_keeps(alone):
+                return True
+    return False
+
+
+def _only_keeps(read: Instruction) -> bool:
+    """Whether all that was read is that things stay, so that what was left out would be all that is asked for."""
+    return all(isinstance(one, Mention | Keep) for one in read.statements)
+
+
+def _acts_on(points: Sequence[MainPoints], read: Instruction) -> bool:
+    """Whether something was read as asked for by a clause that only says what there is."""
+    asked = [
+        in_running_text(one.quote).strip(" .,!?") for one in read.statements if not isinstance(one, Mention | Keep)
+    ]
+    described = points[0].described if points else ()
+    return any(quote and quote in remark for quote in asked for remark in described)
 
 
 def _is_clear(read: Instruction, text: str) -> bool:
@@ -62,7 +99,7 @@ def _is_clear(read: Instruction, text: str) -> bool:
         return False
     asked = next((one for one in read.statements if not isinstance(one, Mention)), None)
     things = getattr(asked, "things", None)
-    bare = isinstance(things, Things) and things.refers == "last" and not things.noun
+    bare = isinstance(things, Things) and things.refers in ("last", "others") and not things.noun
     return not (bare and isinstance(read.statements[0], Mention))
 
 
@@ -79,22 +116,30 @@ def _taken_back(read: Instruction, text: str) -> str:
 
 def reworded(text: str, lexicon: Lexicon) -> str:
     """Return a text in the plain words of what it asks for."""
-    return with_known_verbs(in_plain_words(in_running_text(text)), lexicon)
+    return with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
 
 
-def _wordings(text: str, lexicon: Lexicon, floors: tuple[int, ...]) -> Iterator[tuple[str, tuple[str, ...]]]:
-    """Yield an instruction in other words, then also without one remark, and without two."""
+def _wordings(
+    text: str, lexicon: Lexicon, points: Sequence[MainPoints], floors: tuple[int, ...]
+) -> Iterator[MainPoints]:
+    """Yield an instruction in other words, then its main points, then also without one remark, and without two."""
     plain = reworded(text, lexicon)
     if plain != text:
-        yield plain, ()
-    known = {plain}
-    shorter: list[tuple[str, tuple[str, ...]]] = [(plain, ())]
+        yield MainPoints(plain, ())
+    known = {text, plain}
+    own = (replace(said, text=reworded(said.text, lexicon)) for said in points)
+    for said in (*own, *main_points(plain, lexicon)):
+        if said.text not in known:
+            known.add(said.text)
+            yield said
+    shorter = [MainPoints(plain, ())]
     for _ in range(_MOST_REMARKS):
         longer, shorter = shorter, []
-        for said, remarks in longer[:_MOST_READINGS]:
-            for left in without_remarks(said, lexicon, floors):
+        for said in longer[:_MOST_READINGS]:
+            for left in without_remarks(said.text, lexicon, floors):
                 again = reworded(left.text, lexicon)
                 if again not in known:
                     known.add(again)
-                    shorter.append((again, (*remarks, left.remark)))
+                    remarks = (*said.remarks, left.remark)
+                    shorter.append(MainPoints(again, remarks, remarks))
                     yield shorter[-1]

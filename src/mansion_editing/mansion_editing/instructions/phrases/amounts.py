@@ -52,13 +52,17 @@ _PHRASES: Final[tuple[tuple[tuple[str, ...], AmountKind], ...]] = (
     (("precisely",), "exactly"), (("fewer", "than"), "at_most"), (("less", "than"), "at_most"),
     (("more", "than"), "at_least"),
 )  # fmt: skip
+_PHRASES_BY_FIRST: Final = {
+    first: [(phrase, kind) for phrase, kind in _PHRASES if phrase[0] == first] for (first, *_), _ in _PHRASES
+}
+
 _BEYOND: Final[dict[tuple[str, ...], int]] = {("fewer", "than"): -1, ("less", "than"): -1, ("more", "than"): 1}
 """What the number is off by after words that leave it out."""
 
 
 def read_amount(words: Sequence[Word], at: int) -> Amounted:
     """Read the amount that a noun phrase begins with: articles, numbers and quantifiers."""
-    for phrase, kind in _PHRASES:
+    for phrase, kind in _PHRASES_BY_FIRST.get(text_at(words, at), ()):
         if tuple(w.text for w in words[at : at + len(phrase)]) == phrase:
             place = at + len(phrase)
             place += text_at(words, place) == "the"

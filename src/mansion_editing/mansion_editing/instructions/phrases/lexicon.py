@@ -218,15 +218,20 @@ class Lexicon:
     @cached_property
     def speller(self) -> Speller:
         """Mends words to names of the building and the catalogue, and to the words of instructions."""
-        own = {word for name in self._room_names | self._object_names for word in name}
-        return Speller(
-            own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS | _STOREY_WORDS, own
+        return _speller(
+            frozenset(word for name in self._room_names | self._object_names for word in name), self._state.catalogue
         )
 
     @cached_property
     def kept(self) -> frozenset[str]:
         """English words that are no mistakes."""
         return common_words()
+
+
+@lru_cache(maxsize=4)
+def _speller(own: frozenset[str], catalogue: Catalogue) -> Speller:
+    """Return what mends words, made once for the words of a building: one instruction follows another."""
+    return Speller(own | _catalogue_words(catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS | _STOREY_WORDS, own)
 
 
 def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:

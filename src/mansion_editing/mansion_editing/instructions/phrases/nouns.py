@@ -10,7 +10,7 @@ from mansion_editing.instructions.phrases.runs import SHADES, end_of_run
 from mansion_editing.instructions.phrases.words import ADVERBS, PERSONS, STATE_WORDS, VAGUE, Word
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["COMPARATIVES", "HOLDERS", "MATERIALS", "SIZE_HINTS", "Noun", "read_noun"]
+__all__ = ["COMPARATIVES", "HOLDERS", "MATERIALS", "SIZE_HINTS", "Noun", "is_comparative", "read_noun"]
 
 MATERIALS: Final = {
     "wooden": "wood", "wood": "wood", "oak": "wood", "metal": "metal", "steel": "metal", "leather": "leather",
@@ -54,7 +54,12 @@ SIZE_HINTS: Final = {
 """Adjectives of size, by which one of several things is told."""
 
 COMPARATIVES: Final = {"larger": "large", "smaller": "small", "taller": "tall", "lower": "low", "longer": "long"}
-"""Adjectives of size that compare, and what they are the comparatives of."""
+"""Those that compare, and what they do so by."""
+
+
+def is_comparative(hint: str) -> bool:
+    """Whether an adjective of size compares."""
+    return hint in COMPARATIVES
 
 
 @dataclass(frozen=True)

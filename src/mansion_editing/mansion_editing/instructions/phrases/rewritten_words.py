@@ -20,7 +20,9 @@ def sentence_start(words: Sequence[Word]) -> int:
 
 def said_at(words: Sequence[Word], at: int, *phrases: tuple[str, ...]) -> int:
     """Return how many words the longest of some phrases has that stands at a place, 0 for none."""
-    found = (len(said) for said in phrases if tuple(w.text for w in words[at : at + len(said)]) == said)
+    first = words[at].text if at < len(words) else ""
+    begun = (said for said in phrases if said[0] == first)
+    found = (len(said) for said in begun if tuple(w.text for w in words[at : at + len(said)]) == said)
     return max(found, default=0)
 
 

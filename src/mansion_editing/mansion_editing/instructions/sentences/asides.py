@@ -57,6 +57,9 @@ _RELATIVE: Final = frozenset("where which whose".split())
 _EXCEPTING: Final = frozenset("apart except excluding save besides without but not unless".split())
 """Words that begin an exception, which is no remark whatever follows."""
 
+_OTHERS: Final = frozenset("rest other remainder".split())
+"""What is left of the things that were mentioned, of which words say what becomes."""
+
 _ALIKE: Final = frozenset("neither nor likewise same ditto".split())
 """Words that ask the same of something else: ``neither is the notebook``."""
 
@@ -209,6 +212,8 @@ class Asides(Progress):
 
     def _is_aside(self, words: Sequence[Word], *, followed: bool, marked: bool) -> bool:
         words = _trimmed(words)
+        if text_at(words, 0) == "the" and text_at(words, 1) in _OTHERS:
+            return False
         if words and (words[0].text in _RELATIVE | _EXCEPTING or begins_with_state(words) or _corrects(words)):
             return False
         if words and (words[0].text in _ALIKE or (words[0].text == "so" and text_at(words, 1) in BE | MODALS | {"do"})):

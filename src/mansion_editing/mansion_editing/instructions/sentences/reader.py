@@ -11,7 +11,7 @@ from mansion_assets.catalogue.descriptions import hypernyms_of
 from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings, joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader, of_each_room
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
-from mansion_editing.instructions.phrases.nouns import COMPARATIVES, SIZE_HINTS
+from mansion_editing.instructions.phrases.nouns import SIZE_HINTS, is_comparative
 from mansion_editing.instructions.phrases.places import merged, read_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
@@ -236,6 +236,8 @@ class _Reader(
         return statement
 
     def _read_sentence(self, words: Sequence[Word], *, marked: bool) -> None:
+        if not words:
+            return
         reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
         self.frames = ()
         reader.last_noun = self.last_noun

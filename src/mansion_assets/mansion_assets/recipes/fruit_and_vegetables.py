@@ -1,0 +1,161 @@
+"""Fruit and vegetables, told apart by their shape, stalks, leaves and skins."""
+
+import math
+
+from mansion_assets.builder import Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+@recipe("ball")
+def ball(b: Builder) -> None:
+    """Round things: apples, lettuce, potatoes, half shells."""
+    w, d, h = b.w, b.d, b.h
+    style = b.p.get("style", "plain")
+    if style == "dome":
+        b.lathe(
+            [(0.5, 0), (0.5, h * 0.12), (0.42, h * 0.16), (0.36, h * 0.6), (0.18, h * 0.95), (0.02, h)],
+            b.mat(),
+            stretch=(w, d),
+            n=20,
+        )
+        return
+    top = h * (0.93 if style == "apple" else 1.0)
+    b.ball((0, 0, top / 2), (w / 2, d / 2, top / 2), b.mat(), "body", 16)
+    if style == "apple":
+        b.rod((0, 0, top * 0.95), (0, 0, h), max(0.002, w * 0.03), "wood_brown", "stalk", 6)
+    elif style == "leafy":
+        for k in range(4):
+            x, y = ((0.2, 0), (-0.2, 0.1), (0, 0.22), (0.05, -0.2))[k]
+            b.ball((x * w, y * d, h * 0.55), (w * 0.28, d * 0.28, h * 0.42), "leaf_green", "leaves", 8, solid=False)
+
+
+@recipe("banana")
+def banana(b: Builder) -> None:
+    """A bent fruit."""
+    w, d, h = b.w, b.d, b.h
+    points = [
+        (-w * 0.46, d * 0.3, h * 0.5),
+        (-w * 0.3, -d * 0.1, h * 0.5),
+        (0, -d * 0.3, h * 0.5),
+        (w * 0.3, -d * 0.1, h * 0.5),
+        (w * 0.46, d * 0.3, h * 0.5),
+    ]
+    b.path(points, h * 0.4, b.mat(), "fruit")
+    b.boxes.append(b.whole_box())
+    b.rod(points[-1], (w / 2, d / 2, h * 0.5), h * 0.15, "food_brown", "tip")
+
+
+def _leaf(b: Builder, start: tuple[float, float, float], end: tuple[float, float, float]) -> None:
+    """Add a leaf between two points, thick in its middle."""
+    middle = tuple((s + e) / 2 for s, e in zip(start, end, strict=True))
+    size = math.dist(start, end)
+    b.ball(
+        (middle[0], middle[1], middle[2]),
+        (abs(end[0] - start[0]) / 2 + size * 0.12, abs(end[1] - start[1]) / 2 + size * 0.16, size * 0.07),
+        "leaf_3f8f3a",
+        "leaf",
+        10,
+    )
+
+
+@recipe("orange")
+def orange(b: Builder) -> None:
+    """An orange with the green star of its stalk and a leaf, beside it two segments with their white skin."""
+    w, d, h = b.w, b.d, b.h
+    r = w * 0.42
+    x, y = w * 0.06, -d * 0.06
+    b.ball((x, y, h * 0.46), (r, r, h * 0.46), "food_ee8420", "fruit", 20)
+    for k in range(5):
+        a = k * math.tau / 5
+        b.rod(
+            (x, y, h * 0.92),
+            (x + math.cos(a) * r * 0.16, y + math.sin(a) * r * 0.16, h * 0.9),
+            r * 0.06,
+            "leaf_green",
+            "star",
+            6,
+        )
+    b.cyl(x, y, (h * 0.9, h * 0.97), r * 0.06, "wood_brown", "stalk", n=8)
+    _leaf(b, (x, y, h * 0.94), (x - r * 0.8, y + r * 0.4, h * 0.98))
+    for k in range(14):
+        a, t = k * 2.4, math.radians(-40 + 7 * k)
+        spot = (
+            x + math.cos(a) * math.cos(t) * r * 0.985,
+            y + math.sin(a) * math.cos(t) * r * 0.985,
+            h * 0.46 + math.sin(t) * h * 0.455,
+        )
+        b.ball(spot, (r * 0.035, r * 0.035, r * 0.035), "food_d96f14", "pores", 6)
+    s = d * 0.3
+    cut = (-w * 0.24, d * 0.34)
+    b.cyl(*cut, (0, h * 0.14), s * 0.66, "food_ee8420", "slice", n=20)
+    b.cyl(*cut, (h * 0.14, h * 0.16), s * 0.6, "food_fbe7c6", "slice", n=20)
+    for k in range(8):
+        a = k * math.pi / 4
+        b.rod(
+            (cut[0] + math.cos(a) * s * 0.1, cut[1] + math.sin(a) * s * 0.1, h * 0.155),
+            (cut[0] + math.cos(a) * s * 0.44, cut[1] + math.sin(a) * s * 0.44, h * 0.155),
+            s * 0.11,
+            "food_f59a35",
+            "slice",
+            6,
+        )
+
+
+@recipe("lemon")
+def lemon(b: Builder) -> None:
+    """A yellow fruit pointed at both ends, with a leaf, and the half of another with its segments."""
+    w, d, h = b.w, b.d, b.h
+    b.ball((w * 0.08, -d * 0.06, h * 0.5), (w * 0.38, d * 0.34, h * 0.46), "food_f2d22e", "fruit", 18)
+    for side in (-1, 1):
+        y = -d * 0.06 + side * d * 0.33
+        b.rod(
+            (w * 0.08, y - side * d * 0.05, h * 0.5),
+            (w * 0.08, y + side * d * 0.07, h * 0.5),
+            h * 0.13,
+            "food_f2d22e",
+            "tips",
+            12,
+        )
+    b.rod((w * 0.08, -d * 0.44, h * 0.5), (w * 0.08, -d / 2, h * 0.52), h * 0.06, "leaf_green", "stalk", 8)
+    _leaf(b, (w * 0.08, -d * 0.42, h * 0.62), (w * 0.42, -d * 0.2, h * 0.98))
+    x, y, r = -w * 0.26, d * 0.26, h * 0.36
+    b.rod((x, y - d * 0.06, r), (x, y + d * 0.08, r), r, "food_f2d22e", "half", 20)
+    b.rod((x, y + d * 0.08, r), (x, y + d * 0.085, r), r * 0.92, "food_fdf6d8", "half", 20)
+    for k in range(8):
+        a = k * math.pi / 4
+        b.rod(
+            (x + math.cos(a) * r * 0.2, y + d * 0.088, r + math.sin(a) * r * 0.2),
+            (x + math.cos(a) * r * 0.7, y + d * 0.088, r + math.sin(a) * r * 0.7),
+            r * 0.17,
+            "food_f7e26a",
+            "half",
+            6,
+        )
+
+
+@recipe("tomato")
+def tomato(b: Builder) -> None:
+    """A flat red fruit in soft ribs, with the green star of its calyx and a bent stalk."""
+    w, d, h = b.w, b.d, b.h
+    high = h * 0.84
+    b.ball((0, 0, high / 2), (w * 0.46, d * 0.46, high * 0.5), "food_d8281e", "fruit", 20)
+    for k in range(6):
+        a = k * math.pi / 3
+        b.ball(
+            (math.cos(a) * w * 0.2, math.sin(a) * d * 0.2, high * 0.49),
+            (w * 0.3, d * 0.3, high * 0.48),
+            "food_d8281e",
+            "ribs",
+            14,
+        )
+    for k in range(6):
+        a = k * math.pi / 3 + 0.3
+        points = [
+            (0, 0, high * 0.97),
+            (math.cos(a) * w * 0.16, math.sin(a) * d * 0.16, high * 1.02),
+            (math.cos(a) * w * 0.32, math.sin(a) * d * 0.32, high * 0.94),
+        ]
+        b.path([(float(x), float(y), float(z)) for x, y, z in points], w * 0.028, "leaf_3f8f3a", "calyx")
+    b.path([(0, 0, high * 0.96), (0, 0, high * 1.08), (w * 0.06, d * 0.04, h)], w * 0.026, "leaf_4f7f2f", "stalk")

@@ -1,0 +1,367 @@
+"""Toilets, basins, baths and showers, their taps and cubicles."""
+
+import math
+from typing import Any
+
+from mansion_assets.builder import Builder
+from mansion_assets.catalogue.receptacles import Receptacle, inset, surface, volume
+from mansion_assets.drawn_faces import DrawnFace
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
+
+__all__: list[str] = []
+
+
+@receptacles("toilet")
+def _cistern_top(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    return [surface("tank", (-w * 0.38, w * 0.38, -d / 2 + 0.02, -d / 2 + min(0.17, d * 0.24)), h, 0.5)]
+
+
+@recipe("toilet")
+def toilet(b: Builder) -> None:
+    """Bowl with seat and lid, cistern behind."""
+    w, d, h = b.w, b.d, b.h
+    tank = min(0.2, d * 0.28)
+    rim = min(0.42, h * 0.52)
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + tank), (rim * 0.9, h - 0.03), b.mat(), "tank")
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + tank), (h - 0.03, h), b.mat(), "lid")
+    b.cyl(0, -d / 2 + tank / 2, (h - 0.004, h), 0.025, "metal_chrome", "button", solid=False)
+    cy = -d / 2 + tank + (d - tank) / 2
+    ry = (d - tank) / 2
+    b.lathe([(0.55, 0), (0.5, rim * 0.3), (0.95, rim * 0.95), (1.0, rim)], b.mat(), (0, cy), "bowl", 24, (w * 0.46, ry))
+    b.lathe(
+        [(1.0, rim), (1.02, rim + 0.015), (0.98, rim + 0.03)],
+        "plastic_white",
+        (0, cy),
+        "seat",
+        24,
+        (w * 0.46, ry * 0.98),
+        solid=False,
+    )
+    b.box((-w * 0.25, w * 0.25), (-d / 2, -d / 2 + tank + 0.1), (0, rim), b.mat(), "foot")
+
+
+@recipe("urinal")
+def urinal(b: Builder) -> None:
+    """A porcelain shield with raised sides round a hollow, its lip below in front, a drain."""
+    d, h = b.d, b.h
+    low, high = h * 0.3, h * 0.86
+    back, front = -d / 2, d / 2
+    _urinal_shield(b, back, high, low, front)
+    b.cyl(0, d * 0.1, (low + 0.06, low + 0.075), 0.045, "metal_chrome", "drain", n=16)
+    b.cyl(0, d * 0.1, (low + 0.075, low + 0.1), 0.03, "plastic_4f9bd9", "tablet", n=14)
+    _urinal_pipes(b, back, high, low)
+
+
+def _urinal_shield(b: Builder, back: float, high: float, low: float, front: float) -> None:
+    """A back with raised sides, a lip in front and a head."""
+    w, d = b.w, b.d
+    b.box((-w * 0.46, w * 0.46), (back, back + d * 0.2), (low + 0.06, high), b.mat(), "back")
+    for side in (-1, 1):
+        across = sorted((side * w / 2, side * w * 0.34))
+        wall = [
+            (back, low),
+            (d * 0.16, low),
+            (front, low + 0.14),
+            (d * 0.34, low + 0.3),
+            (back + d * 0.4, high),
+            (back, high),
+        ]
+        b.prism(wall, (across[0], across[1]), b.mat(), part="sides")
+    b.prism(
+        [
+            (back, low),
+            (d * 0.16, low),
+            (front, low + 0.14),
+            (front, low + 0.2),
+            (d * 0.34, low + 0.2),
+            (d * 0.1, low + 0.06),
+            (back, low + 0.06),
+        ],
+        (-w * 0.34, w * 0.34),
+        b.mat(),
+        part="bowl",
+    )
+    b.prism(
+        [(back, high), (back + d * 0.4, high), (back + d * 0.3, high + 0.05), (back, high + 0.05)],
+        (-w / 2, w / 2),
+        b.mat(),
+        part="head",
+    )
+    b.box(
+        (-w * 0.34, w * 0.34),
+        (back + d * 0.2, back + d * 0.22),
+        (low + 0.1, high),
+        "ceramic_dfe6ea",
+        "hollow",
+        solid=False,
+    )
+
+
+def _urinal_pipes(b: Builder, back: float, high: float, low: float) -> None:
+    """The valve above and the trap below."""
+    h = b.h
+    b.path(
+        [(0, back + 0.07, high + 0.04), (0, back + 0.07, h - 0.03), (0, back + 0.02, h - 0.03)],
+        0.016,
+        "metal_chrome",
+        "valve",
+    )
+    b.rod((0, back + 0.07, h - 0.08), (0, back + 0.13, h - 0.08), 0.035, "metal_chrome", "valve", 16)
+    b.box((-0.05, 0.05), (back, back + 0.07), (0.0, low + 0.02), "metal_chrome", "trap")
+    b.rod((0, back + 0.09, low - 0.1), (0, back + 0.09, low + 0.02), 0.04, "metal_chrome", "trap", 14)
+
+
+@recipe("bidet")
+def bidet(b: Builder) -> None:
+    """Bowl with a tap."""
+    w, d, h = b.w, b.d, b.h
+    b.lathe(
+        [(0.7, 0), (0.6, h * 0.3), (1.0, h * 0.85), (0.85, h * 0.85), (0.4, h * 0.55)],
+        b.mat(),
+        (0, 0),
+        "bowl",
+        24,
+        (w / 2, d / 2),
+    )
+    b.rod((0, -d * 0.36, h * 0.8), (0, -d * 0.36, h), 0.014, "metal_chrome", "tap")
+
+
+def _tap(b: Builder, x: float, z: float, y: float, high: float) -> None:
+    b.path(
+        [(x, y, z), (x, y, z + high - 0.012), (x, y + 0.12, z + high - 0.012), (x, y + 0.12, z + high * 0.6)],
+        0.012,
+        "metal_chrome",
+        "tap",
+    )
+
+
+@receptacles("sink")
+def _sink_receptacles(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    rim = h - float(p.get("splash", 0.0))
+    basin = _basin(size)
+    out: list[Receptacle] = [volume("basin", basin, rim - min(0.14, rim * 0.6), rim)]
+    if basin[0] + w / 2 > 0.22:
+        box = (-w / 2 + 0.02, basin[0] - 0.03, -d / 2 + 0.05, d / 2 - 0.03)
+        out += [surface("top", box, rim, 0.5)]
+    if p.get("cabinet") and rim > 0.5:
+        body = (-w / 2 + 0.03, w / 2 - 0.03, -d / 2 + 0.03, d / 2 - 0.05)
+        out.append(volume("cell", body, 0.12, rim - 0.2))
+    return out
+
+
+def _basin(size: Size3) -> tuple[float, float, float, float]:
+    w, d, _ = size
+    half = min(w * 0.42, 0.26)
+    shift = max(0.0, min(w / 2 - half - 0.05, 0.12)) if w > 0.9 else 0.0
+    return (shift - half, shift + half, -d * 0.22, d * 0.4)
+
+
+@recipe("sink")
+def sink(b: Builder) -> None:
+    """Basin in a top, on a cabinet, a pedestal or a steel frame; drop-in basins too."""
+    w, d, h = b.w, b.d, b.h
+    splash, main = float(b.p.get("splash", 0.0)), b.mat()
+    rim = h - splash
+    bowl, steel = b.cells[0], main.startswith("metal")
+    top = main if steel or main.startswith(("ceramic", "stone")) else "ceramic_white"
+    thick = min(0.05, rim * 0.3)
+    for span_x, span_y in (
+        ((-w / 2, bowl.x0), (-d / 2, d / 2)),
+        ((bowl.x1, w / 2), (-d / 2, d / 2)),
+        ((bowl.x0, bowl.x1), (-d / 2, bowl.y0)),
+        ((bowl.x0, bowl.x1), (bowl.y1, d / 2)),
+    ):
+        b.box(span_x, span_y, (rim - thick, rim), top, "top")
+    deep = bowl.z
+    b.box(
+        (bowl.x0 - 0.008, bowl.x1 + 0.008),
+        (bowl.y0 - 0.008, bowl.y1 + 0.008),
+        (max(0.0, deep - 0.012), deep),
+        top,
+        "basin",
+    )
+    for x in (bowl.x0, bowl.x1):
+        b.box((x - 0.008, x + 0.008), (bowl.y0, bowl.y1), (deep - 0.01, rim - 0.004), top, "basin")
+    for y in (bowl.y0, bowl.y1):
+        b.box((bowl.x0, bowl.x1), (y - 0.008, y + 0.008), (deep - 0.01, rim - 0.004), top, "basin")
+    if rim > 0.5:
+        _below(b, rim - thick, deep, top)
+    if splash > 0.05:
+        xs = (bowl.x0 + bowl.x1) / 2
+        _tap(b, xs, rim, -d / 2 + 0.06, splash)
+        if b.p.get("bowls") == 2:
+            b.rod(
+                (-w * 0.3, -d / 2 + 0.06, rim),
+                (-w * 0.3, -d / 2 + 0.06, rim + splash * 0.7),
+                0.012,
+                "metal_chrome",
+                "tap",
+            )
+    elif rim <= 0.5:
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.004), top, "rim", solid=False)
+
+
+def _below(b: Builder, high: float, deep: float, top: str) -> None:
+    w, d, main = b.w, b.d, b.mat()
+    if b.p.get("cabinet"):
+        b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.02), (0.1, high), main, "cabinet")
+        for sx in (-1, 1):
+            lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.02)))
+            b.box((lo, hi), (-d / 2, d / 2 - 0.03), (0.1, high), main, "cabinet")
+        b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.03), (0.1, 0.12), main, "cabinet")
+        b.box(
+            (-w / 2 + 0.04, w / 2 - 0.04),
+            (-d / 2 + 0.03, d / 2 - 0.07),
+            (0, 0.1),
+            "plastic_dark",
+            "plinth",
+            solid=False,
+        )
+        count = 2 if w > 0.5 else 1
+        for k in range(count):
+            x0, x1 = -w / 2 + k * w / count, -w / 2 + (k + 1) * w / count
+            panel = ((x0 + 0.003, x1 - 0.003), (d / 2 - 0.03, d / 2 - 0.012), (0.11, high - 0.01))
+            hx = x1 - 0.04 if k == 0 else x0 + 0.04
+            with b.door(*panel, "left" if k == 0 else "right"):
+                b.box(*panel, main, "doors", solid=False)
+                b.box(
+                    (hx - 0.006, hx + 0.006),
+                    (d / 2 - 0.012, d / 2),
+                    (high - 0.2, high - 0.08),
+                    "metal_steel",
+                    "handles",
+                    solid=False,
+                )
+    elif top.startswith("metal") and not b.p.get("pedestal"):
+        b.legs((0, high), 0.02, "metal_steel", 0.01)
+        b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + 0.03, d / 2 - 0.03), (0.2, 0.22), "metal_steel", "shelf")
+    else:
+        b.lathe(
+            [(0.3, 0), (0.2, high * 0.3), (0.2, deep * 0.85), (0.6, deep)],
+            "ceramic_white",
+            (0, 0),
+            "pedestal",
+            16,
+            (min(w, 0.5) / 2, min(d, 0.5) / 2),
+        )
+
+
+@recipe("basin_tap")
+def basin_tap(b: Builder) -> None:
+    """A mixer: a base plate, a stem, a spout that bends down with a drop of water, and levers marked red and blue."""
+    w, d, h = b.w, b.d, b.h
+    back, r = -d * 0.34, min(0.026, w * 0.34, h * 0.12)
+    b.cyl(0, back, (0, h * 0.06), r * 1.5, b.mat(), "base", n=18)
+    b.box((-w * 0.5, w * 0.5), (back - r * 2, d * 0.3), (0, h * 0.03), b.mat(), "plate")
+    b.cyl(0, back, (0, h * 0.62), r, b.mat(), "stem", n=16)
+    bend = [
+        (0, back + (d * 0.72) * (1 - math.cos(a)) / 2, h * 0.6 + h * 0.32 * math.sin(a))
+        for a in (k * math.pi / 8 for k in range(9))
+    ]
+    b.path([*bend, (0, d * 0.38, h * 0.5)], r * 0.74, b.mat(), "spout")
+    b.cyl(0, d * 0.38, (h * 0.44, h * 0.5), r * 0.95, "metal_dark", "spout", n=14)
+    b.ball((0, d * 0.38, h * 0.34), (r * 0.4, r * 0.4, h * 0.06), "plastic_5aa9e6", "drop", 10)
+    for side, color in ((-1, "paint_3d6ac8"), (1, "paint_red")):
+        reach = side * min(w * 0.45, r * 3.4)
+        b.rod((0, back, h * 0.24), (reach, back, h * 0.24), r * 0.55, b.mat(), "levers", 12)
+        b.rod((reach, back, h * 0.2), (reach, back, h * 0.4), r * 0.8, b.mat(), "levers", 14)
+        b.rod((reach, back, h * 0.4), (reach, back, h * 0.43), r * 0.7, color, "levers", 14)
+
+
+@receptacles("bathtub")
+def _tub_inside(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    h = size[2]
+    return [volume("basin", inset(size, 0.1), h * 0.25, h)]
+
+
+@recipe("bathtub")
+def bathtub(b: Builder) -> None:
+    """Tub with a rim, open at the top, and a tap at its end."""
+    w, d, h = b.w, b.d, b.h
+    t, floor, main = 0.08, h * 0.25, b.mat()
+    z1 = h - 0.0
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
+        b.box((lo, hi), (-d / 2, d / 2), (0, z1), main, "sides")
+    for sy in (-1, 1):
+        lo, hi = sorted((sy * d / 2, sy * (d / 2 - t)))
+        b.box((-w / 2 + t, w / 2 - t), (lo, hi), (0, z1), main, "sides")
+    b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, d / 2 - t), (0, floor), main, "floor")
+    b.rod((w / 2 - 0.14, 0, z1 - 0.06), (w / 2 - 0.08, 0, z1 - 0.06), 0.02, "metal_chrome", "tap")
+    b.cyl(w / 2 - 0.3, 0, (floor, floor + 0.005), 0.03, "metal_chrome", "drain", solid=False)
+
+
+@recipe("shower")
+def shower(b: Builder) -> None:
+    """Tray, glass walls on two sides, head and mixer at the back."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.06), "ceramic_white", "tray")
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.012), (0.06, h), "ceramic_light", "back")
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.01)))
+        b.box((lo, hi), (-d / 2, d / 2), (0.06, h), "glass_clear", "glass")
+    b.box((-w / 2, -0.02), (d / 2 - 0.01, d / 2), (0.06, h), "glass_clear", "glass")
+    pane = ((0.0, w / 2 - 0.012), (d / 2 - 0.01, d / 2), (0.064, h - 0.034))
+    with b.door(*pane, "right"):
+        b.box(*pane, "glass_clear", "door", solid=False)
+    b.box((-w / 2, w / 2), (d / 2 - 0.02, d / 2), (h - 0.03, h), "metal_chrome", "rail", solid=False)
+    b.path(
+        [(0, -d / 2 + 0.04, 1.0), (0, -d / 2 + 0.04, h - 0.08), (0, -d * 0.15, h - 0.08)], 0.012, "metal_chrome", "pipe"
+    )
+    b.cyl(0, -d * 0.15, (h - 0.12, h - 0.09), 0.09, "metal_chrome", "head", solid=False)
+    b.box((-0.1, 0.1), (-d / 2 + 0.01, -d / 2 + 0.06), (1.0, 1.05), "metal_chrome", "mixer", solid=False)
+
+
+@recipe("shower_head")
+def shower_head(b: Builder) -> None:
+    """Riser with hose and head."""
+    w, d, h = b.w, b.d, b.h
+    b.rod((0, -d / 2 + 0.02, 0), (0, -d / 2 + 0.02, h - 0.03), 0.012, b.mat(), "riser", 10, solid=True)
+    b.rod((0, -d / 2 + 0.02, h - 0.05), (0, d / 2 - 0.06, h - 0.02), 0.012, b.mat(), "arm")
+    b.cyl(0, d / 2 - w * 0.3, (h - 0.07, h), w * 0.3, b.mat(), "head", n=20)
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.05), (0.0, 0.06), b.mat(), "mixer")
+
+
+@recipe("stall")
+def stall(b: Builder) -> None:
+    """Cubicle: partitions and a door, with a toilet or, for trying on, a curtain and a stool."""
+    w, d, h = b.w, b.d, b.h
+    t, foot = 0.03, 0.15
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
+        b.box((lo, hi), (-d / 2, d / 2), (foot, h), b.mat(), "sides")
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.02), (0, h), "plastic_light", "back")
+    if b.p.get("style") == "curtain":
+        b.rod((-w / 2, d / 2 - 0.03, h - 0.03), (w / 2, d / 2 - 0.03, h - 0.03), 0.015, "metal_chrome", "rail")
+        for k in range(6):
+            x = -w / 2 + 0.05 + k * 0.07
+            b.cushion(
+                (x, x + 0.07), (d / 2 - 0.08, d / 2), (0.1, h - 0.04), "fabric_red", "curtain", 0.9, 8, solid=False
+            )
+        b.box((-w * 0.3, w * 0.3), (-d / 2 + 0.02, -d / 2 + 0.35), (0.4, 0.45), "wood_oak", "seat")
+        b.box(
+            (-w * 0.3, w * 0.3), (-d / 2 + 0.02, -d / 2 + 0.03), (0.6, h - 0.2), "glass_mirror", "mirror", solid=False
+        )
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (0.0, 0.02), "wood_walnut", "floor")
+        return
+    for x0, x1 in ((-w / 2, -w * 0.32), (w * 0.32, w / 2)):
+        b.box((x0, x1), (d / 2 - t, d / 2), (0, h), b.mat(), "front")
+    panel = ((-w * 0.31, w * 0.31), (d / 2 - t, d / 2 - 0.006), (foot, h - 0.05))
+    with b.door(*panel):
+        b.box(*panel, b.mat(), "door")
+        b.box((w * 0.24, w * 0.27), (d / 2 - 0.006, d / 2), (1.0, 1.1), "metal_steel", "lock", solid=False)
+        face = DrawnFace.front(b, d / 2 - 0.006)
+        face.write("WC", (-w * 0.22, w * 0.22), (h * 0.66, h * 0.86), "plastic_white", "sign", 0.004)
+        face.field((-w * 0.27, -w * 0.17), (1.12, 1.16), "plastic_green", "lock", 0.004)
+    b.lathe(
+        [(0.55, 0), (0.5, 0.12), (0.95, 0.38), (1.0, 0.41)],
+        "ceramic_white",
+        (0, -d / 2 + 0.42),
+        "bowl",
+        18,
+        (0.18, 0.26),
+    )
+    b.box((-0.2, 0.2), (-d / 2 + 0.02, -d / 2 + 0.18), (0.4, 0.8), "ceramic_white", "tank")

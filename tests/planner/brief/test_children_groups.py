@@ -1,0 +1,23 @@
+"""The rooms of the groups of a kindergarten."""
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_planner.brief import read_brief
+from mansion_planner.brief.facts import BriefFacts
+
+
+def read(text: str) -> BriefFacts:
+    return read_brief(text, default_knowledge())
+
+
+@pytest.mark.parametrize("words", ["for 4 groups", "with four groups", "of 4 groups", "for 4 groups of children"])
+@pytest.mark.parametrize("house", ["kindergarten", "nursery"])
+def test_each_group_has_its_room(words: str, house: str) -> None:
+    facts = read(f"A {house} {words}, one storey.")
+    assert [(fact.room_type, fact.count) for fact in facts.rooms] == [("kindergarten_classroom", 4)]
+
+
+def test_the_room_of_each_group_has_its_area() -> None:
+    facts = read("A kindergarten for 4 groups. Each group has a room of 55 m2.")
+    assert [(fact.count, fact.area) for fact in facts.rooms] == [(4, 55.0)]

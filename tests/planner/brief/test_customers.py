@@ -1,0 +1,36 @@
+"""Those that a building works for are no part of it."""
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_planner.brief.reader import read_brief
+
+
+def kinds(brief: str) -> set[str]:
+    """Return the kinds of buildings and rooms that a brief is read to ask for."""
+    facts = read_brief(brief, default_knowledge())
+    return {name for name, _ in facts.building} | {room.room_type for room in facts.rooms}
+
+
+@pytest.mark.parametrize(
+    ("brief", "not_meant"),
+    [
+        ("A laundry for hotels with a sorting hall and a linen store.", {"hotel", "hotel_room"}),
+        ("A central kitchen for schools with a cold store.", {"school", "classroom"}),
+        ("An architects' office for hotels and restaurants.", {"hotel", "hotel_room", "restaurant"}),
+        ("A consultancy for hospitals on two floors with eight offices.", {"hospital", "patient_room"}),
+    ],
+)
+def test_a_building_does_not_hold_those_that_it_works_for(brief: str, not_meant: set[str]) -> None:
+    assert not kinds(brief) & not_meant
+
+
+@pytest.mark.parametrize(
+    ("brief", "meant"),
+    [
+        ("A 3-storey building for offices.", "office"),
+        ("A design for flats with two bedrooms each.", "apartment_building"),
+    ],
+)
+def test_what_a_plain_building_is_for_is_what_it_holds(brief: str, meant: str) -> None:
+    assert meant in kinds(brief)

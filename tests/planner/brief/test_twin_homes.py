@@ -1,0 +1,43 @@
+"""Homes that stand side by side, each over all storeys."""
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_planner.brief import read_brief
+from mansion_planner.brief.facts import BriefFacts
+
+
+def read(text: str) -> BriefFacts:
+    return read_brief(text, default_knowledge())
+
+
+def counts(text: str) -> dict[str, int | None]:
+    """Return how many rooms of each name are told."""
+    return {fact.name: fact.count for fact in read(text).rooms}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Two semi-detached houses, two storeys. Each house has a kitchen downstairs and three bedrooms upstairs.",
+        "Two mirrored homes under one roof, two storeys. Each home has a kitchen below, three bedrooms above.",
+        "Two identical houses side by side, two floors: each with a kitchen downstairs, three bedrooms upstairs.",
+        "Two attached villas on two levels, each with kitchen downstairs, 3 bedrooms upstairs.",
+        "Two terraced houses with two storeys. Both have one kitchen downstairs and three bedrooms upstairs.",
+    ],
+)
+def test_the_rooms_are_counted_for_each_home(text: str) -> None:
+    facts = read(text)
+    assert counts(text) == {"kitchen": 2, "bedroom": 6}
+    assert facts.building[0][0] == "house"
+
+
+@pytest.mark.parametrize("size", ["2 x 110 m2", "110 m2 each", "110 m2 per home"])
+def test_the_area_is_that_of_all(size: str) -> None:
+    text = f"Two semi-detached homes, two storeys, {size}. Each home has a kitchen below, three bedrooms above."
+    assert [area.value for area in read(text).area] == [220.0]
+
+
+def test_flats_of_a_storey_are_no_homes_side_by_side() -> None:
+    text = "Three storeys with two identical flats on each floor. Each flat has a kitchen and three bedrooms."
+    assert counts(text) == {"flat": 2}

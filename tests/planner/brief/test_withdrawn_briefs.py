@@ -1,0 +1,44 @@
+"""What is said of an earlier brief."""
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_planner.brief import read_brief
+from mansion_planner.brief.facts import BriefFacts
+
+
+def read(text: str) -> BriefFacts:
+    return read_brief(text, default_knowledge())
+
+
+@pytest.mark.parametrize(
+    "first",
+    [
+        "Scratch what I sent on Monday (the five-bedroom thing with the pool).",
+        "Forget my last mail, the one with the pool.",
+        "Please ignore everything we sent yesterday.",
+        "Disregard the earlier version with a pool and a gym.",
+        "Scrap my first draft (pool, gym).",
+        "A villa with a pool and five bedrooms. Forget all of the above.",
+    ],
+)
+def test_an_earlier_brief_asks_for_nothing(first: str) -> None:
+    facts = read(f"{first} New version: a house with two bedrooms.")
+    assert [(fact.name, fact.count) for fact in facts.rooms] == [("bedroom", 2)]
+    assert facts.unread == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Please ignore my last mail, we now want a house with two bedrooms.",
+        "Forget my email: a house with two bedrooms.",
+    ],
+)
+def test_what_follows_in_the_same_sentence_counts(text: str) -> None:
+    assert [(fact.name, fact.count) for fact in read(text).rooms] == [("bedroom", 2)]
+
+
+def test_a_room_is_withdrawn_on_its_own() -> None:
+    facts = read("A house with two bedrooms and a sauna. Forget the sauna.")
+    assert [fact.name for fact in facts.rooms] == ["bedroom"]
