@@ -147,7 +147,7 @@ class _Reader(
         told = msgspec.json.encode(self.statements).decode()
         topics = [word for word, following in pairwise(self.words) if word.text in TOPICS and following.text in PRINTED]
         plain = [*(word for word in self.words if word.text in UNRECORDED), *topics]
-        compared = [w for w in plain if SIZE_HINTS.get(w.text) in COMPARATIVES and '"type":"Replace"' in told]
+        compared = [w for w in plain if is_comparative(SIZE_HINTS.get(w.text, "")) and '"type":"Replace"' in told]
         plain = [w for w in plain if w not in compared]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
         ordered = with_companions_first(with_last_of_them_first(with_old_ones_first(self.statements)))
