@@ -12,7 +12,6 @@ from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
         ("houseplant", "house_plant"),
         ("wall cupboard", "wall_cabinet"),
         ("medicine cupboard", "medicine_cabinet"),
-        ("reading light", "reading_lamp"),
         ("instrument cart", "instrument_trolley"),
         ("cot", "crib"),
         ("photograph", "picture_frame"),
@@ -22,6 +21,6 @@ def test_everyday_names_are_those_of_the_catalogue(name: str, category: str) -> 
     assert vocabulary_of(load_catalogue()).exact(stems(name)) == [category]
 
 
-@pytest.mark.parametrize("name", ["cupboard wall", "dragon cupboard", "light reading"])
+@pytest.mark.parametrize("name", ["cupboard wall", "dragon cupboard", "reading light"])
 def test_other_compounds_name_nothing(name: str) -> None:
     assert vocabulary_of(load_catalogue()).exact(stems(name)) == []
