@@ -24,6 +24,9 @@ def _facts(text: str) -> BriefFacts:
         ("A house with two or rather three bedrooms", 3),
         ("A house with two bedrooms. Make that three. And a study.", 3),
         ("A house with two bedrooms. No, wait: three bedrooms.", 3),
+        ("A house with three bedrooms on 2 floors... wait, my wife says four bedrooms.", 4),
+        ("A house with two bedrooms. Sorry, I was wrong, the bank allows only one.", 1),
+        ("A house with two bedrooms. My wife says 3 garages are too many.", 2),
         ("A house with two bedrooms. No 3D cinema.", 2),
         ("A house with two bedrooms, no 3 garages", 2),
         ("A house with two bedrooms, make it 3 storeys", 2),
@@ -52,7 +55,12 @@ def test_an_area_is_the_one_that_is_told_last(text: str, area: float) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["A two-storey house, I mean three-storey", "A library on two floors, actually three floors"]
+    "text",
+    [
+        "A two-storey house, I mean three-storey",
+        "A library on two floors, actually three floors",
+        "A clinic with 4 storeys. Sorry, I was wrong, the city allows only three.",
+    ],
 )
 def test_storeys_are_those_that_are_told_last(text: str) -> None:
     facts = _facts(text)

@@ -23,7 +23,7 @@ _SIGNS = (
     ("strike", "that"), ("no", "wait"), ("hold", "on"), ("wait",), ("sorry",), ("pardon",), ("oop",), ("no",),
     ("correction",), ("actually",), ("rather",), ("i", "meant"), ("better",), ("well",),
     ("excuse", "me"), ("scrap", "that"), ("forget", "that"), ("cancel", "that"), ("on", "second", "thought"),
-    ("second", "thought"), ("my", "mistake"), ("my", "bad"), *_MISCOUNTED,
+    ("second", "thought"), ("my", "mistake"), ("my", "bad"), ("i", "was", "wrong"), *_MISCOUNTED,
     ("let", "go", "with"), ("let", "make", "it"), ("let", "take"), ("go", "with"), ("settle", "on"),
 )  # fmt: skip
 """What is said to take back a number, several of them one after the other at times."""
@@ -138,6 +138,26 @@ def _after_recall(tokens: list[Token], index: int) -> int:
     return at if at < len(tokens) and tokens[at].kind == "number" else index
 
 
+_SAYING = frozenset(
+    """
+    say says said want wants wanted need needs insist insists prefer prefers think thinks ask asks allow allows permit
+    permits
+    """.split()
+)
+_OWNERS = frozenset("my our the his her their".split())
+
+
+def _after_speaker(tokens: list[Token], index: int) -> int:
+    """Return where the number stands in "wait, my wife says four"; `index` where nobody is said to say one."""
+    verb = index + 2 if _word(tokens, index) in _OWNERS else index + 1
+    if _word(tokens, verb) not in _SAYING:
+        return index
+    at = verb + 1
+    while _word(tokens, at) in ("that", "on", "for", "it", "is", "we", "need", "want", "only", "just", ":"):
+        at += 1
+    return at if at < len(tokens) and tokens[at].kind == "number" else index
+
+
 def _correction(tokens: list[Token], before: list[Token], index: int) -> tuple[int, int, int] | None:
     """Return which earlier number is taken back at a token, the token of the later one, and where that ends."""
     changed = _changed_to(tokens, before, index)
@@ -148,7 +168,7 @@ def _correction(tokens: list[Token], before: list[Token], index: int) -> tuple[i
     while (sign := sign_at(tokens, at)) is not None:
         weak, signs, counts = weak and sign in WEAK, signs + 1, counts or sign in _MISCOUNTED
         at, _ = _after_marks(tokens, at + len(sign))
-    at = _after_recall(tokens, at) if at > first else at
+    at = _after_speaker(tokens, _after_recall(tokens, at)) if at > first else at
     if at == first or (weak and not paused) or at >= len(tokens) or tokens[at].kind != "number":
         return None
     if ended and weak and signs < 2:

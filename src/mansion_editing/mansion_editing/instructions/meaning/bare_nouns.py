@@ -1,4 +1,4 @@
-"""Nouns without an article, as notes have them: ``crash cart next to the operating table`` means the one in the room."""
+"""Nouns without an article, as notes have them: ``crash cart next to the bed`` means the one in the room."""
 
 import re
 from typing import Final
