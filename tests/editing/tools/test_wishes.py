@@ -125,7 +125,7 @@ def test_small_things_lie_between_two(state: SceneState) -> None:
 def test_a_wish_about_a_room_is_refused_on_a_table(state: SceneState) -> None:
     with pytest.raises(MansionError, match="'corner of a room' says nothing"):
         _place(state, "Apple_1", TABLE, spot="corner")
-    with pytest.raises(MansionError, match="no free place for an apple .* beside F1/kitchen/fridge_1 on"):
+    with pytest.raises(MansionError, match=r"no free place for an apple .* beside F1/kitchen/fridge_1 on"):
         _place(state, "Apple_1", TABLE, near=FRIDGE, side="beside")
 
 

@@ -26,6 +26,21 @@ def test_a_building_does_not_hold_those_that_it_works_for(brief: str, not_meant:
 
 
 @pytest.mark.parametrize(
+    ("brief", "near"),
+    [
+        ("A hotel near the airport with 20 rooms.", {"airport", "departure_lounge"}),
+        ("A small house close to the church with two bedrooms.", {"church", "prayer_hall"}),
+    ],
+)
+def test_a_building_does_not_hold_what_it_stands_near(brief: str, near: set[str]) -> None:
+    assert not kinds(brief) & near
+
+
+def test_a_room_near_another_is_read() -> None:
+    assert {"library", "cafe"} <= kinds("A school with a library near the cafe.")
+
+
+@pytest.mark.parametrize(
     ("brief", "meant"),
     [
         ("A 3-storey building for offices.", "office"),

@@ -40,3 +40,28 @@ def test_a_list_that_is_ordered_away_is_not_wanted_whole(words: str) -> None:
 )
 def test_what_a_sentence_goes_on_to_ask_for_is_wanted(brief: str, wanted: list[str], unwanted: list[str]) -> None:
     assert read(brief) == (wanted, unwanted)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "A sauna was in the first draft; please strike it.",
+        "A sauna was planned, but drop it.",
+        "There was a sauna in the old plan, leave it out.",
+    ],
+)
+def test_what_is_struck_again_is_not_wanted(words: str) -> None:
+    wanted, unwanted = read(HOUSE + words)
+    assert wanted == ["kitchen", "bedroom"]
+    assert unwanted == ["sauna"]
+
+
+@pytest.mark.parametrize("number", ["no", "zero", "0"])
+def test_none_of_a_thing_is_none(number: str) -> None:
+    facts = read_brief(f"A meditation hall with 30 cushions and {number} chairs.", default_knowledge())
+    assert [(thing.category, thing.excluded) for thing in facts.objects] == [("pillow", False), ("chair", True)]
+
+
+def test_a_lift_that_makes_no_sense_is_not_wanted() -> None:
+    facts = read_brief("A research station on two storeys; a lift makes no sense there.", default_knowledge())
+    assert [name for name, _ in facts.vertical] == ["no_elevator"]

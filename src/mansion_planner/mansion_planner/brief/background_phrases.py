@@ -29,6 +29,7 @@ def without_bystanders(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
         or _is_bystander(reading, phrase, sites)
         or _is_new_home(reading, phrases, number)
         or _is_customer(reading, phrases, number)
+        or _is_neighbour(reading, phrases, number)
         else phrase
         for number, phrase in enumerate(phrases)
     ]
@@ -54,6 +55,16 @@ def _is_customer(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     serving = reading.word(phrase.first - 2)
     opens = 2 <= phrase.first <= _OPENING and reading.kind(phrase.first - 2) == "word"
     return lead == "for" and opens and serving not in _PLANNED and not reading.plural(phrase.first - 2)
+
+
+def _is_neighbour(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether a phrase names what stands near the building that the brief opens with: "a hotel near the airport"."""
+    phrase = phrases[number]
+    if number != 1 or not (phrase.building and phrases[0].building) or phrase.plural or phrase.counted:
+        return False
+    between = reading.words(phrases[0].last, phrase.first)
+    near = between in (("near",), ("close", "to"), ("opposite",), ("not", "far", "from"), ("right", "by"))
+    return near and phrases[0].first <= _OPENING and phrase.determiner in ("the", "our", "an", "a", "")
 
 
 _OPENING = 8

@@ -55,6 +55,8 @@ _AFTER = (
     ("is", "not", "needed"),
     ("are", "not", "wanted"),
     ("unnecessary",),
+    ("make", "no", "sense"),
+    ("makes", "no", "sense"),
     *[(verb, word) for verb in ("is", "are") for word in ("unnecessary", "superfluous", "unwanted", "undesired")],
     ("is", "not", "wanted"),
     ("are", "not", "needed"),
@@ -256,8 +258,40 @@ def _joined_before(reading: Reading, phrases: list[Phrase], number: int) -> list
     return joined
 
 
+_STRIKES = frozenset(
+    "strike drop scrap remove delete omit skip cut cancel ditch lose forget exclude leave take".split()
+)
+"""Verbs that take back what was mentioned before: "a sauna was in the first draft; please strike it"."""
+
+
+def _struck(reading: Reading, phrases: list[Phrase], index: int) -> tuple[int, int] | None:
+    """Read "strike it", "drop them again"; return which phrase before that refuses, and where it ends."""
+    order = reading.starts(index) or reading.word(index - 1) in _CLAUSE_OPENERS | {"you", "then", "to"}
+    if not (order and reading.word(index) in _STRIKES and reading.word(index + 1) in ("it", "that", "them", "those")):
+        return None
+    end = index + 2
+    while reading.word(end) in ("out", "off", "away", "again", "please", "altogether", "too"):
+        end += 1
+    out = reading.word(index + 2) in ("out", "off", "away") or reading.word(index) not in ("leave", "take")
+    if not out or not (reading.breaks(end) or reading.word(end) in (",", ";", "and")):
+        return None
+    near = range(reading.sentence[index] - 1, reading.sentence[index] + 1)
+    before = [
+        number
+        for number, phrase in enumerate(phrases)
+        if phrase.last <= index and reading.sentence[phrase.first] in near and phrase.head in ("room", "object")
+    ]
+    return (before[-1], end) if before else None
+
+
 def _refused(reading: Reading, phrases: list[Phrase], index: int) -> tuple[int, int] | None:
     """Read "a lift was suggested, but we do not want one"; return which phrase it refuses, and where it ends."""
+    struck = _struck(reading, phrases, index)
+    if struck is not None:
+        return struck
+    if reading.word(index) == "zero" or (reading.kind(index) == "number" and reading.value(index) == 0.0):
+        none = next((n for n, phrase in enumerate(phrases) if index in (phrase.first, phrase.begin - 1)), None)
+        return None if none is None else (none, phrases[none].last)
     if reading.word(index) in _REFUSALS and index not in reading.taken:
         number = next((n for n, p in enumerate(phrases) if 0 <= p.begin - index - 1 <= 2 and p.first > index), None)
         return None if number is None else (number, phrases[number].last)
