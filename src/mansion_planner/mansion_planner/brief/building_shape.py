@@ -332,12 +332,16 @@ def _same_as(places: list[Place], index: int, reading: Reading) -> tuple[Place, 
     return None
 
 
+_IN_A_ROW = frozenset("house home dwelling property cottage villa maisonette row family".split())
+"""What is terraced where it stands in a row; other buildings are where their storeys step back."""
+
+
 def read_massing(reading: Reading) -> None:
     """Read setbacks and terraces, protruding ground floors and garages."""
     for i in range(len(reading.tokens)):
         word, following = reading.word(i), reading.word(i + 1)
         if word == "setback" or (word == "set" and following == "back") or word in ("stepped", "recessed", "terraced"):
-            if word == "terraced" and following == "house":
+            if word == "terraced" and following in _IN_A_ROW:
                 continue
             reading.facts.setback.append(reading.span(i, i + 1 + (following == "back")))
         elif word in ("protruding", "projecting", "podium", "wider") or (word == "larger" and following == "ground"):

@@ -23,6 +23,9 @@ _NOUNS = {"unit": "apartment", "dwelling": "apartment", "home": "apartment", "re
           "cluster": "common_room"}  # fmt: skip
 """Nouns that name a unit wherever they are counted, and the room type of its main room."""
 
+_PARTS_OF_HOMES = frozenset({"wing", "household", "pod"})
+"""Nouns that do so in homes; in other buildings they are parts that corridors join."""
+
 _WORKPLACES = frozenset({"office", "business", "commercial", "workshop"})
 LODGINGS = frozenset({"hotel_room", "hotel_suite", "resident_room", "dorm_room"})
 """Rooms for guests and residents, each of which is a unit."""
@@ -171,6 +174,8 @@ class _Units:
         reading = self.reading
         for index in range(len(reading.tokens)):
             kind = _NOUNS.get(reading.word(index), "")
+            if reading.word(index) in _PARTS_OF_HOMES and self._is_home():
+                kind = "common_room"
             read = any(
                 p.begin <= index < p.noun_end and ((p.known and p.room_type) or p.head in ("object", "people"))
                 for p in self.phrases
@@ -192,6 +197,12 @@ class _Units:
             if counted or (phrase.determiner in ALL and any(p.room_type == kind for p in self.phrases)):
                 put_phrase(reading, self.phrases, phrase)
 
+    def _is_home(self) -> bool:
+        """Whether the brief is about a home."""
+        own = next((phrase for phrase in self.phrases if phrase.first == self.building), None)
+        record = None if own is None else self.reading.knowledge.buildings.get(own.building)
+        return record is not None and record.family == "home"
+
     def _units(self) -> None:
         for phrase in list(self.phrases):
             if not self._is_unit(phrase):
@@ -207,7 +218,8 @@ class _Units:
         several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
         if phrase.room_type in LODGINGS or phrase.room_type in ("team_room", "common_room"):
             own = phrase.head == "room" and (phrase.plural or phrase.determiner in ALL)
-            return own and (phrase.room_type in LODGINGS or phrase.name.rpartition("_")[2] in _NOUNS)
+            parts = _PARTS_OF_HOMES if self._is_home() else frozenset[str]()
+            return own and (phrase.room_type in LODGINGS or phrase.name.rpartition("_")[2] in _NOUNS.keys() | parts)
         if not self.reading.knowledge.room(phrase.room_type).unit:
             return False
         if self._heads_list(phrase) and phrase.name.rpartition("_")[2] in GENERAL - {"unit", "room"}:
