@@ -99,6 +99,8 @@ def _before_noun(
     words: Sequence[Word], place: int, start: int, floors: Sequence[int], *, every: bool
 ) -> Storeys | None:
     """Read ``second floor``, ``the top two floors``, ``first and second floor``, and ``the fifth`` alone."""
+    if words[place].text in ("middle", "mid") and _is(words, place + 1, "floor") and len(floors) % 2:
+        return (floors[len(floors) // 2],), False, place + 2
     found: list[int] = []
     end = place
     while end < len(words):
