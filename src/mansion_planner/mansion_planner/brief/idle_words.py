@@ -78,7 +78,16 @@ _PAST = frozenset(
     set shut hurt
     """.split()
 )
-_IDLE = _TIMES | _TALK | _FEELINGS | _MONEY_AND_LAW | _HAPPENINGS | _PAST
+_RESEARCH = frozenset(
+    """
+    dataset datasets generating generate embodied qa vqa spec specs specification robot robots robotics simulation
+    simulator benchmark benchmarks agent agents navigation episode episodes paper thesis objects altitude team draft
+    insist insists picked
+    """.split()
+)
+"""What researchers and people who plan say of their work, where it names no part of the building."""
+
+_IDLE = _TIMES | _TALK | _FEELINGS | _MONEY_AND_LAW | _HAPPENINGS | _PAST | _RESEARCH
 
 _ASKS = frozenset("building rest study practice end last set kept fixed".split())
 """Forms that may also say how rooms lie or how many there are."""
