@@ -74,8 +74,9 @@ def test_an_outline_that_cuts_a_core_off_gives_a_partition_or_a_refusal(problem:
         assert error.code == ErrorCode.INFEASIBLE and len(str(error)) > 20
         return
     shapes = [as_polygon(room.polygon, room.holes) for room in layout.rooms]
-    assert sum(shape.area for shape in shapes) >= free.area * (1 - 1e-3)
-    assert shapely.union_all(shapes).difference(free).area <= free.area * 1e-3
+    slack = max(1e-3 * free.area, 5e-4)  # corners are rounded to a tenth of a millimetre, and some parts are slivers
+    assert sum(shape.area for shape in shapes) >= free.area - slack
+    assert shapely.union_all(shapes).difference(free).area <= slack
     assert all(edge.reason for edge in layout.unmet_edges)
 
 
