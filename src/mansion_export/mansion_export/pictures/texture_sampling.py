@@ -9,7 +9,7 @@ import numpy as np
 
 from mansion_assets.materials import material_set, set_names, texture_set
 from mansion_export.meshes.model import Material
-from mansion_geometry.array_cache import ArrayCache
+from mansion_export.pictures.array_cache import ArrayCache
 from mansion_geometry.compiled import Floats, Ints, kernel
 
 __all__ = ["Tiles", "base_color", "sampled", "texture_number", "tiles_at"]

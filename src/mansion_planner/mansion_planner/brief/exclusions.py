@@ -226,6 +226,7 @@ def _negate(
 
 
 _ORDERS = frozenset("leave omit skip exclude drop forget scrap scratch cancel strike lose".split())
+"""Verbs that order things away which are named after them."""
 _JOINTS = frozenset({",", "and", "or", "nor", "&", "/", "any", "also", "please", "too", "thanks"})
 
 
@@ -258,9 +259,7 @@ def _joined_before(reading: Reading, phrases: list[Phrase], number: int) -> list
     return joined
 
 
-_STRIKES = frozenset(
-    "strike drop scrap remove delete omit skip cut cancel ditch lose forget exclude leave take".split()
-)
+_STRIKES = (_ORDERS - {"scratch"}) | {"remove", "delete", "cut", "ditch", "take"}
 """Verbs that take back what was mentioned before: "a sauna was in the first draft; please strike it"."""
 
 
@@ -290,6 +289,7 @@ def _refused(reading: Reading, phrases: list[Phrase], index: int) -> tuple[int, 
     if struck is not None:
         return struck
     if reading.word(index) == "zero" or (reading.kind(index) == "number" and reading.value(index) == 0.0):
+        # "zero chairs": the number belongs to the phrase, so that no word before it denies it
         none = next((n for n, phrase in enumerate(phrases) if index in (phrase.first, phrase.begin - 1)), None)
         return None if none is None else (none, phrases[none].last)
     if reading.word(index) in _REFUSALS and index not in reading.taken:

@@ -101,6 +101,7 @@ class RoomModel:
             doors = doors.copy()
             for zone in doors:
                 deeper = min(max(2 * zone[5], 2 * zone[4]), 1.0) / 2 - zone[5]
+                # Shallower zones are those of openings without a leaf.
                 if deeper > 0 and 2 * zone[5] > DOORWAY_DEPTH:
                     zone[0] += -zone[3] * deeper
                     zone[1] += zone[2] * deeper

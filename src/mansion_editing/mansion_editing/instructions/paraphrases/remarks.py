@@ -18,6 +18,7 @@ from mansion_editing.instructions.phrases.words import (
     DETERMINERS,
     MODALS,
     PERSONS,
+    PLURAL_PRONOUNS,
     PREPOSITIONS,
     PRONOUNS,
     SENTENCE_ENDS,
@@ -60,7 +61,6 @@ _OCCASIONS: Final = (
 _DIMENSIONS: Final = frozenset("floor side left right wall corner middle window door top".split())
 _PRONOUNS: Final = frozenset("it them they these those this that one ones both there its their".split())
 _SINGULAR: Final = frozenset("it this that".split())
-_SEVERAL: Final = frozenset("them they these those both".split())
 
 
 @dataclass(frozen=True)
@@ -354,16 +354,16 @@ def _taken_up(
         return after
     first = pronouns[0]
     offset = part[-1].end
-    listed = _list_of(part, things, text) if first.text in _SEVERAL else ""
+    listed = _list_of(part, things, text) if first.text in PLURAL_PRONOUNS else ""
     if listed:
         return f"{after[: first.start - offset]}{listed}{after[first.end - offset :]}"
     things = things[:1] if things and things[0][0] == 0 else things
-    if first.text not in _SINGULAR | _SEVERAL or len(things) != 1:
+    if first.text not in _SINGULAR | PLURAL_PRONOUNS or len(things) != 1:
         return None if things else after
     at, item = things[0]
     one_of = part[at].text == "one" and text_at(part, at + 1) == "of"
     plural = item.phrase.noun.plural and not one_of
-    if not (item.phrase.definite or one_of) or plural != (first.text in _SEVERAL):
+    if not (item.phrase.definite or one_of) or plural != (first.text in PLURAL_PRONOUNS):
         return None
     said = text[part[at].start : part[item.end - 1].end]
     return f"{after[: first.start - offset]}{said}{after[first.end - offset :]}"

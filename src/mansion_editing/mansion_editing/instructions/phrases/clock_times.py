@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from typing import Final
 
-from mansion_editing.instructions.phrases.words import PREPOSITIONS, Word, text_at
+from mansion_editing.instructions.phrases.words import PREPOSITIONS, SENTENCE_ENDS, Word, text_at
 
 __all__ = ["without_times_of_headings"]
 
@@ -13,7 +13,6 @@ _THROUGH: Final = frozenset(["to", "-", "until", "till", "and"])
 _HALVES: Final = frozenset(["am", "pm", "o", "h", "hour"])
 _NOONS: Final = frozenset(["noon", "midnight", "midday"])
 _CODE: Final = re.compile(r"\d{1,2}(h|am|pm)")
-_ENDS: Final = frozenset([".", "!", "?", ";", "\n"])
 _HOURS: Final = 24
 
 
@@ -22,7 +21,7 @@ def without_times_of_headings(words: Sequence[Word]) -> list[Word]:
     out: list[Word] = []
     start = 0
     for at, word in enumerate(words):
-        ends = word.kind == "mark" and word.text in _ENDS
+        ends = word.kind == "mark" and word.text in SENTENCE_ENDS
         if ends or at + 1 == len(words):
             out += _without_times(words[start : at + 1])
             start = at + 1

@@ -11,6 +11,7 @@ from mansion_editing.instructions.phrases.words import (
     FUNCTION_WORDS,
     PREPOSITIONS,
     PRONOUNS,
+    SENTENCE_ENDS,
     STATE_WORDS,
     Word,
     text_at,
@@ -26,7 +27,6 @@ _SHAFTS: Final = ("-", "=")
 """Marks that an arrow begins with."""
 _BEFORE_LISTS: Final = frozenset("delete remove add swap exchange discard".split())
 """Verbs after which a colon only begins what they ask for."""
-_ENDS_OF_SENTENCES: Final = frozenset((".", "!", "?", ";", "\n"))
 _LONGEST_NAME: Final = 4
 
 
@@ -211,7 +211,7 @@ def _is_colon_of_way(words: Sequence[Word], at: int) -> bool:
         return False
     thing = words[_start_of_part(words[:at]) : at]
     thing = thing[1:] if thing and thing[0].text in DETERMINERS else thing
-    end = next((k for k in range(at + 2, len(words)) if words[k].text in _ENDS_OF_SENTENCES), len(words))
+    end = next((k for k in range(at + 2, len(words)) if words[k].text in SENTENCE_ENDS), len(words))
     goal = next((k for k in range(at + 2, end) if words[k].text == "to" or words[k].kind == "mark"), end)
     verbs = [k for k in range(at + 2, end) if words[k].text in VERB_WORDS - FUNCTION_WORDS]
     asked = any(text_at(words, k + 1) in DETERMINERS | PRONOUNS for k in verbs)

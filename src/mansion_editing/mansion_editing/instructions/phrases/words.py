@@ -26,6 +26,7 @@ __all__ = [
     "PREPOSITIONS",
     "PRONOUNS",
     "REASONS",
+    "PLURAL_PRONOUNS",
     "SENTENCE_ENDS",
     "STATE_WORDS",
     "UNRECORDED",
@@ -74,6 +75,7 @@ DETERMINERS: Final = ARTICLES | frozenset(
     "this that these those my our your his her their its any some such each every all both another no enough".split()
 )
 PRONOUNS: Final = frozenset(["it", "them", "they", "this", "that", "these", "those"])
+PLURAL_PRONOUNS: Final = frozenset("them they these those both".split())
 PERSONS: Final = frozenset(
     "i we he she someone somebody anyone anybody everyone everybody people robot guest visitor client customer "
     "patient person staff user wheelchair-user kid nobody nurse employee".split()

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from mansion_editing.instructions.phrases.word_sets import AFTER_PURPOSES, AFTER_REASONS, PAST_VERBS, RELATIVES
-from mansion_editing.instructions.phrases.words import ADVERBS, BE, MODALS, PERSONS, PREPOSITIONS, Word
+from mansion_editing.instructions.phrases.words import ADVERBS, BE, MODALS, PERSONS, PREPOSITIONS, SENTENCE_ENDS, Word
 from mansion_language.colours import COLOUR_WORDS
 
 __all__ = ["end_of_background", "is_background", "is_told", "split_sentences"]
@@ -12,14 +12,13 @@ __all__ = ["end_of_background", "is_background", "is_told", "split_sentences"]
 _CLAUSES: Final = frozenset("and but so then while or".split())
 _ASKING: Final = frozenset("not no never none without please should must want need half both every each all".split())
 _OFTEN: Final = frozenset("always often constantly forever usually mostly".split())
-_ENDS: Final = frozenset([".", "!", "?", ";", "\n"])
 
 
 def split_sentences(words: Sequence[Word]) -> Iterable[tuple[list[Word], bool]]:
     """Yield sentences, each with whether a question mark ends it."""
     sentence: list[Word] = []
     for word in words:
-        if word.kind == "mark" and word.text in _ENDS:
+        if word.kind == "mark" and word.text in SENTENCE_ENDS:
             if sentence:
                 yield sentence, word.text == "?"
             sentence = []

@@ -7,11 +7,10 @@ from typing import Final
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.words import PREPOSITIONS, Word, text_at
+from mansion_editing.instructions.phrases.words import PLURAL_PRONOUNS, PREPOSITIONS, Word, text_at
 
 __all__ = ["listed_in", "with_list_for_pronoun"]
 
-_SEVERAL: Final = frozenset("them they both these those".split())
 _JOINTS: Final = frozenset(["and", ","])
 
 
@@ -42,14 +41,14 @@ def with_list_for_pronoun(words: Sequence[Word], told: Sequence[Word], reader: C
     reader : ClauseReader
         Of the clause.
     """
-    at = next((k for k, word in enumerate(words) if _stands_alone(words, k) and word.text in _SEVERAL), -1)
+    at = next((k for k, word in enumerate(words) if _stands_alone(words, k) and word.text in PLURAL_PRONOUNS), -1)
     start = reader.skip(0)
     verb = verb_at(words, start, reader.lexicon)
     first = start if verb is None else verb[1]
     if at < 0 or any(_names_thing(reader, k) for k in range(first, at)):
         return words
     end = at + 1
-    if words[at].text == "both" and text_at(words, end) == "of" and text_at(words, end + 1) in _SEVERAL:
+    if words[at].text == "both" and text_at(words, end) == "of" and text_at(words, end + 1) in PLURAL_PRONOUNS:
         end += 2
     where, stop = words[at].start, words[end - 1].end
     return [*words[:at], *(replace(word, start=where, end=stop) for word in told), *words[end:]]

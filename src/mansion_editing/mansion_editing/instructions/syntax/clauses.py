@@ -4,8 +4,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal, TypeAlias
 
+from mansion_editing.instructions.phrases.words import SENTENCE_ENDS
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group, finite_verb_after
-from mansion_editing.instructions.syntax.tagged_words import MARKS_BETWEEN_SENTENCES, TaggedWord
+from mansion_editing.instructions.syntax.tagged_words import TaggedWord
 
 __all__ = ["TURNING", "Clause", "Form", "clauses_of"]
 
@@ -68,7 +69,7 @@ def clauses_of(words: Sequence[TaggedWord]) -> list[Clause]:
 def _sentences(words: Sequence[TaggedWord]) -> Iterator[tuple[int, int]]:
     first = 0
     for at, word in enumerate(words):
-        if word.tag == "mark" and word.text in MARKS_BETWEEN_SENTENCES:
+        if word.tag == "mark" and word.text in SENTENCE_ENDS:
             if at > first:
                 yield first, at
             first = at + 1

@@ -6,19 +6,19 @@ from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
+from mansion_editing.instructions.phrases.words import PLURAL_PRONOUNS, SENTENCE_ENDS
 from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
 from mansion_editing.instructions.syntax.made_numbers import made_number, with_number_made
 from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in, taken_up
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.plain_requests import plainly_asked
 from mansion_editing.instructions.syntax.requests import names_something, only_tells
-from mansion_editing.instructions.syntax.tagged_words import MARKS_BETWEEN_SENTENCES, TaggedWord, joined, tagged
+from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
 from mansion_language.inflection import plural, singular
 
 __all__ = ["MainPoints", "main_points"]
 
 _PRONOUNS: Final = frozenset("it them they this that these those both".split())
-_SEVERAL: Final = frozenset("them they these those both".split())
 _THAT: Final = frozenset("that this the those these".split())
 _ONES: Final = frozenset(["one", "ones"])
 _HITHER: Final = frozenset("in over across along".split())
@@ -142,7 +142,7 @@ class _Points:
             if last is not None:
                 parts.append(_joint(last, clause, self.words, mark))
             parts.append(joined(said))
-            ended = next((word.text for word in self.words[clause.end :] if word.text in MARKS_BETWEEN_SENTENCES), ".")
+            ended = next((word.text for word in self.words[clause.end :] if word.text in SENTENCE_ENDS), ".")
             mark = "?" if ended == "?" and said[0].form != "base" else "."
             last = clause
         whole = "".join(parts)
@@ -266,7 +266,7 @@ class _Points:
         if new and len(before) > 1 and before[-1].text == "of" and before[-2].tag == "number" and self._is_kind(bare):
             return bare, before[:-1]  # "bandages! there should be ten of them"
         if new and last and before and before[0].verb in ("leave", "keep"):
-            return f"{new} as {'they are' if word.text in _SEVERAL else 'it is'}", before
+            return f"{new} as {'they are' if word.text in PLURAL_PRONOUNS else 'it is'}", before
         return new, before
 
     def _instead_of_one(self, clause: Clause, number: int) -> str:
@@ -357,7 +357,7 @@ def _asks_opinion(clauses: Sequence[Clause], words: Sequence[TaggedWord], number
     """Whether a clause makes a question of the request beside it: ``could we fit a piano in, what do you think?``."""
     clause = clauses[number]
     beside = any(one.sentence == clause.sentence and one is not clause for one in clauses)
-    ended = next((word.text for word in words[clause.end :] if word.text in MARKS_BETWEEN_SENTENCES), "")
+    ended = next((word.text for word in words[clause.end :] if word.text in SENTENCE_ENDS), "")
     return beside and ended == "?" and words[clause.start].text in _ASKING
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Final, Literal, TypeAlias
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.words import PLURAL_PRONOUNS
 from mansion_editing.instructions.syntax.clauses import Clause
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.requests import is_person
@@ -50,7 +51,6 @@ class Mentioned:
 _RESTING: Final = frozenset("be stand lie sit hang stay live leave put place rest lean find keep store".split())
 _IDLE: Final = frozenset("still already just really only also currently now here there".split())
 _SINGLE: Final = frozenset("a an one another this that".split())
-_SEVERAL: Final = frozenset("them they these those both".split())
 
 
 def mentioned_in(
@@ -157,7 +157,7 @@ def taken_up(pronoun: str, mentions: Sequence[Mentioned], words: Sequence[Tagged
 
     The subject comes first, then the only thing in the number of the pronoun; several are meant by a list too.
     """
-    plural = pronoun in _SEVERAL
+    plural = pronoun in PLURAL_PRONOUNS
     things = [one for one in mentions if one.kind == "thing"]
     listed = _list_of(things, words)
     if len(listed) > 1:

@@ -6,20 +6,18 @@ from dataclasses import dataclass, replace
 from typing import Final, Literal, TypeAlias
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
-from mansion_editing.instructions.phrases.words import COURTESIES, VAGUE
+from mansion_editing.instructions.phrases.words import COURTESIES, MODALS, VAGUE
 from mansion_editing.instructions.syntax.verb_forms import Form, verb_forms
 from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import singular
 from mansion_language.numbers import CARDINALS, ORDINALS
 
-__all__ = ["MARKS_BETWEEN_SENTENCES", "Tag", "TaggedWord", "joined", "tagged", "text_of"]
+__all__ = ["Tag", "TaggedWord", "joined", "tagged", "text_of"]
 
 Tag: TypeAlias = Literal[
     "mark", "determiner", "possessive", "number", "adjective", "noun", "pronoun", "somebody", "preposition", "verb",
     "modal", "be", "have", "do", "to", "not", "joint", "subordinator", "relative", "adverb", "interjection", "there",
 ]  # fmt: skip
-
-MARKS_BETWEEN_SENTENCES: Final = frozenset(".!?;\n")
 
 
 @dataclass(frozen=True)
@@ -63,7 +61,6 @@ _WORD: Final = re.compile(
 _BE: Final = frozenset("is are was were am be been being".split())
 _HAVE: Final = frozenset("has have had having".split())
 _DO: Final = frozenset("do does did".split())
-_MODALS: Final = frozenset("should must shall will would can could may might ought cannot".split())
 _DETERMINERS: Final = frozenset(
     "the a an this that these those all both half each every another some any no either".split()
 )
@@ -170,7 +167,7 @@ def _classes(text: str) -> Iterator[Tag]:
     if text[0].isdigit() or text in CARDINALS or text in ORDINALS:
         yield "number"
     classes: tuple[tuple[frozenset[str], Tag], ...] = (
-        (_BE, "be"), (_HAVE, "have"), (_DO, "do"), (_MODALS, "modal"), (frozenset(["not"]), "not"),
+        (_BE, "be"), (_HAVE, "have"), (_DO, "do"), (MODALS, "modal"), (frozenset(["not"]), "not"),
         (frozenset(["to"]), "to"), (_JOINTS, "joint"), (_DETERMINERS, "determiner"), (_POSSESSIVES, "possessive"),
         (_PRONOUNS, "pronoun"), (_SOMEBODY, "somebody"), (frozenset(["there"]), "there"),
         (_PREPOSITIONS, "preposition"), (_SUBORDINATORS, "subordinator"), (_RELATIVES, "relative"),
