@@ -2,7 +2,7 @@
 
 import pytest
 
-from mansion_editing.instructions.meaning.bare_nouns import with_those_there
+from mansion_editing.instructions.meaning.bare_nouns import with_existing_things
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import Add, Ensure, Move, Statement
@@ -13,7 +13,7 @@ def meant(text: str, state: SceneState) -> Statement:
     """Return the one statement of a text, as the scene makes it understood."""
     instruction = read_instruction(text, state)
     assert instruction.not_understood == []
-    (statement,) = with_those_there(instruction, state, Context()).statements
+    (statement,) = with_existing_things(instruction, state, Context()).statements
     return statement
 
 

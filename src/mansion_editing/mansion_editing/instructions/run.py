@@ -12,7 +12,7 @@ from mansion_editing.instructions.checking.faults import Step, faults, moved_asi
 from mansion_editing.instructions.conversation import amended, context_of, is_taken_back, remember, repeated
 from mansion_editing.instructions.doing.answering import holds
 from mansion_editing.instructions.doing.carrying_out import carry
-from mansion_editing.instructions.meaning.bare_nouns import with_those_there
+from mansion_editing.instructions.meaning.bare_nouns import with_existing_things
 from mansion_editing.instructions.meaning.brief import asked_of
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
@@ -112,7 +112,7 @@ _EXAMPLES: Final = (
 
 _OPENINGS: Final = re.compile(r"\b(door|window)s?\b", re.IGNORECASE)
 _OF_OPENINGS: Final = (
-    'a door opens and closes by the rooms that it joins ("close the door between the kitchen and the hall"), and can be'
+    'name a door by the rooms that it joins ("close the door between the kitchen and the hall"); a door can also be'
     ' added ("add a door between the kitchen and the dining room"); windows are part of the structure'
 )
 
@@ -136,7 +136,7 @@ def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: b
         return _refused(error, "")
     brief = asked_of(editor.store.building.program)
     context = replace(context_of(editor), kept=_kept(instruction, editor.state), brief=brief)
-    instruction = with_those_there(instruction, editor.state, context)
+    instruction = with_existing_things(instruction, editor.state, context)
     course = _Course(editor.state, context, missed=[unread] if unread else [])
     refused = yield from _carried_out(instruction, course, partly=partly)
     if refused is not None:

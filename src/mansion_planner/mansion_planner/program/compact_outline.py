@@ -1,4 +1,4 @@
-"""Outlines of L-shaped homes: two arms that the rooms share freely, as no corridor with rooms on both sides does."""
+"""Outlines of L-shaped homes whose arms are too narrow for a corridor with rooms on both sides."""
 
 import itertools
 import math
@@ -31,7 +31,7 @@ _MISSED = 0.02
 
 
 def with_compact_outline(decisions: Decisions, area: float, stairs: int) -> Decisions:
-    """Return decisions with an outline of its own for an L-shaped home whose arms a corridor with rooms would fill.
+    """Return decisions with an outline for an L-shaped home whose arms are too narrow for a corridor between rooms.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ _BESIDE = (0.9, 0.7, 0.55)
 """Distances between cars side by side that are tried, metres: a door opens half, or a person edges in."""
 
 _ASIDE = (0.0, 0.3, -0.3, 0.6, -0.6, 1.0, -1.0)
-"""How far the middle of a row of cars may lie aside of the middle of their door, metres."""
+"""Offsets of a row of cars from the middle of their door that are tried, metres."""
 
 
 def place_behind_doors(floor: Floor, spec: Spec, count: int) -> int:
@@ -87,7 +87,7 @@ def _put_all(floor: Floor, unit: Unit, poses: Floats) -> bool:
 
 
 def _behind(floor: Floor, door: Floats, inside: float, aside: float = 0.0) -> tuple[float, float, float, float]:
-    """Return the pose so far inside a door, and aside of its middle, with the front towards it; metres."""
+    """Return the pose at a distance inside a door and an offset from its middle, facing it; metres."""
     middle = (door[:2] + door[2:]) / 2
     wall = min(floor.room.walls, key=lambda wall: abs(float((middle - wall.start) @ wall.inward)))
     x, y = middle + wall.inward * inside + wall.along * aside

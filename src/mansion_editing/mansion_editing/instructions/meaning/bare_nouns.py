@@ -11,13 +11,13 @@ from mansion_editing.instructions.statements import Add, Ensure, Instruction, Mo
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import MansionError
 
-__all__ = ["with_those_there"]
+__all__ = ["with_existing_things"]
 
 _NEW: Final = re.compile(r"\b(a|an|one|1|another|some|new|more|extra|add|bring|get|buy|give|provide|need|want)\b", re.I)
 """What says that a thing is brought, and not the one that is there."""
 
 
-def with_those_there(instruction: Instruction, state: SceneState, context: Context) -> Instruction:
+def with_existing_things(instruction: Instruction, state: SceneState, context: Context) -> Instruction:
     """Return an instruction in which the only thing of its kind in a room is moved, and no second one is brought.
 
     Notes
