@@ -41,3 +41,18 @@ def test_building_and_name_say_how_a_room_is_furnished(
 )
 def test_a_studio_has_what_no_other_room_of_its_floor_is_for(beside: list[str], expected: str) -> None:
     assert furnished_as("studio_room", "studio_flat", "", beside) == expected
+
+
+def test_crews_eat_in_their_kitchen_and_films_have_a_foyer() -> None:
+    assert furnished_as("kitchen", "fire_station") == "crew_kitchen"
+    assert furnished_as("common_room", "fire_station") == "day_room"
+    assert furnished_as("lobby", "cinema") == "cinema_lobby"
+    assert furnished_as("lobby", "museum") == "museum_lobby"
+    assert furnished_as("lobby", "hotel") == "lobby"
+
+
+def test_rooms_are_furnished_by_what_their_names_say_is_done_there() -> None:
+    assert furnished_as("radiology_room", "dental_clinic") == "dental_xray_room"
+    assert furnished_as("radiology_room", "hospital") == "radiology_room"
+    assert furnished_as("gym", "gym_building", "Weights area") == "weights_area"
+    assert furnished_as("lounge", "laboratory_building", "Test area") == "robot_test_area"

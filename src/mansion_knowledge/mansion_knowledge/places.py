@@ -20,7 +20,7 @@ _DOUBLE = 1.3
 """Width of a bed for two, metres."""
 _SEATS: Final = frozenset("stool bench sofa loveseat pew booth_seat armchair".split())
 _FOR_TWO: Final = frozenset({"bunk_bed"})
-_BEDS: Final = frozenset({"single_bed", "hospital_bed", "cell_bed", "crib"})
+_BEDS: Final = frozenset({"single_bed", "hospital_bed", "cell_bed", "crib", "kids_bed"})
 _DESKS: Final = frozenset({"workstation", "workbench", "drafting_table", "lab_bench", "control_desk", "sales_counter"})
 
 

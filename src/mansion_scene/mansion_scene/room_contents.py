@@ -57,6 +57,9 @@ _Place = Callable[[RoomFurnishing], PlacementResult]
 _HIGH_SILL = 1.5
 """From this sill on a window is for air: a shower may stand before it where there is no other place, metres."""
 
+_EATEN_IN = 12.0
+"""Area of a kitchen from which a table stands in it, square metres."""
+
 _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
 
@@ -270,8 +273,10 @@ class RoomFurnisher:
         return msgspec.structs.replace(furnishing, small=with_clutter(furnishing.small, clutter))
 
     def _beside(self, room: SceneRoom) -> tuple[str, ...]:
-        """Return the types of the other rooms of the floor."""
-        return tuple(other.room_type for other in self._structure.rooms if other.id != room.id)
+        """Return the types of the other rooms of the floor; a kitchen that one eats in is also a kitchen diner."""
+        others = [other for other in self._structure.rooms if other.id != room.id]
+        dined_in = any(other.room_type == "kitchen" and other.area >= _EATEN_IN for other in others)
+        return (*(other.room_type for other in others), *(("kitchen_diner",) if dined_in else ()))
 
     def _placed(self, room: SceneRoom, wishes: RoomFurnishing, *, high_windows: bool = True) -> PlacementResult:
         doors, windows = room_openings(self._structure, room)

@@ -143,7 +143,8 @@ def test_a_lobby_leaves_the_desk_to_a_reception_beside_it() -> None:
 
     assert has_desk()
     assert not has_desk("reception")
-    assert not has_desk("open_office", "ticket_office")
+    assert not has_desk("open_office", "service_counter")
+    assert has_desk("ticket_office")  # visitors are received in the hall, wherever tickets are sold
 
 
 def test_a_terrace_of_a_home_has_one_table_and_a_place_to_lounge() -> None:
@@ -169,3 +170,29 @@ def test_a_lobby_leaves_the_counter_to_the_reception() -> None:
     alone = {o.category for o in furnish_request(CATALOGUE, "lobby", 60.0, seed=1).floor}
     beside = {o.category for o in furnish_request(CATALOGUE, "lobby", 60.0, seed=1, beside=["reception"]).floor}
     assert "reception_desk" in alone and not {"reception_desk", "office_chair"} & beside
+
+
+def test_a_large_store_has_racks_in_rows_and_a_small_one_along_its_walls() -> None:
+    def racks(area: float) -> dict[str, int]:
+        floor = furnish_request(CATALOGUE, "storage", area, seed=1, room_id="F1/storage").floor
+        return {o.name: o.quantity for o in floor if o.name in ("metal_shelf", "storage_rack")}
+
+    assert set(racks(12.0)) == {"metal_shelf"}
+    assert set(racks(70.0)) == {"storage_rack"} and racks(70.0)["storage_rack"] >= 12
+
+
+def test_a_living_room_has_no_table_where_the_kitchen_has() -> None:
+    def tables(room_type: str, *beside: str) -> int:
+        floor = furnish_request(CATALOGUE, room_type, 33.0, seed=1, beside=beside).floor
+        return sum(o.category in ("dining_table", "round_table") for o in floor)
+
+    assert tables("living_room", "kitchen") == 1
+    assert tables("living_room", "kitchen_diner") == 0
+    assert tables("kitchen", "dining_room") == 0
+
+
+def test_each_lobby_sofa_has_its_own_table_and_chairs() -> None:
+    counts = {o.name: o.quantity for o in furnish_request(CATALOGUE, "lobby", 90.0, seed=1).floor}
+    assert counts["reception_sofa"] >= 3
+    assert counts["coffee_table"] == counts["reception_sofa"]
+    assert counts["lounge_chair"] >= counts["reception_sofa"]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mansion_msgs_py.placement import PlacementResult, PlacementRoom
+from mansion_msgs_py.placement import PlacementObject, PlacementOpening, PlacementResult, PlacementRoom, Relation
 from mansion_scene.placement import place_room
 from mansion_scene.placement.evaluation import Footprint, measure
 from mansion_scene.placement.kitchen_runs import run_orders
@@ -167,3 +167,26 @@ def test_seats_at_short_sides_of_restaurant_tables_are_in_their_middle() -> None
     away = np.abs(chairs[:, None] - tables[None])
     nearest = away[np.arange(len(chairs)), np.hypot(*away.transpose(2, 0, 1)).argmin(axis=1)]
     assert np.mean(nearest.min(axis=1) < 0.05) > 0.7
+
+
+def test_a_second_row_of_worktops_leaves_room_to_work_at_the_first() -> None:
+    worktops = PlacementObject(
+        name="counter_top", category="counter_top", size=(1.8, 0.6, 0.9), quantity=4, global_="edge"
+    )
+    sink = PlacementObject(
+        name="kitchen_sink_unit",
+        category="kitchen_sink_unit",
+        size=(0.9, 0.6, 0.9),
+        global_="edge",
+        relative=[Relation(kind="side_of", target="counter_top")],
+    )
+    room = PlacementRoom(
+        room_id="kitchen",
+        room_type="kitchen",
+        polygon=[(0, 0), (5.0, 0), (5.0, 1.8), (0, 1.8)],
+        doors=[PlacementOpening(segment=((5.0, 0.4), (5.0, 1.3)))],
+        objects=[worktops, sink],
+    )
+    placements = place_room(room, seed=0).placements
+    assert placements
+    assert len({round(p.rotation) % 360 for p in placements if p.name == "counter_top"} & {0, 180}) == 1

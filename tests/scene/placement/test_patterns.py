@@ -109,3 +109,51 @@ def test_an_audience_has_leg_room_and_a_view(seed: int) -> None:
     assert np.diff(rows).min() >= 0.85 + 0.5 - 1e-3
     corners = np.array([(0, 0), (12, 0), (12, 9), (0, 9)]) @ ahead
     assert corners.max() - rows.max() >= 2.0
+
+
+def rows_of(
+    category: str, size: tuple[float, float, float], width: float, depth: float, shape: tuple[int, int]
+) -> PlacementRoom:
+    """Return a hall with rows of one thing over its floor."""
+    rows, cols = shape
+    return PlacementRoom(
+        room_id="hall",
+        room_type="warehouse",
+        polygon=[(0, 0), (width, 0), (width, depth), (0, depth)],
+        doors=[PlacementOpening(segment=((1, 0), (4, 0)))],
+        objects=[
+            PlacementObject(
+                name=category,
+                category=category,
+                size=size,
+                quantity=rows * cols,
+                global_="middle",
+                structure=MatrixStructure(rows=rows, cols=cols),
+            )
+        ],
+    )
+
+
+def test_pallet_racks_stand_back_to_back_with_aisles_for_forklifts() -> None:
+    placements = place_room(rows_of("pallet_rack", (2.7, 1.1, 4.0), 18.0, 16.0, (4, 4)), seed=0).placements
+    assert len(placements) == 16
+    across = np.radians(placements[0].rotation + 90.0)
+    lines = sorted({round(p.center[0] * np.cos(across) + p.center[1] * np.sin(across), 2) for p in placements})
+    gaps = np.diff(lines) - 1.1
+    assert gaps[[0, 2]].max() < 0.2  # the two rows of a pair
+    assert gaps[1] >= 2.6  # a forklift turns between pairs
+    assert len({round(p.rotation) % 360 for p in placements}) == 2
+
+
+def test_beds_in_rows_do_not_touch() -> None:
+    placements = place_room(rows_of("kids_bed", (0.75, 1.5, 0.6), 6.0, 6.0, (3, 3)), seed=0).placements
+    assert len(placements) == 9
+    for one, other in itertools.combinations(placements, 2):
+        dx, dy = (abs(a - b) for a, b in zip(one.center, other.center, strict=True))
+        assert max(dx, dy) > 1.2
+
+
+def test_an_audience_looks_along_a_long_room() -> None:
+    seats = place_room(hall(16.0, 8.0, 5, 2), seed=1).placements
+    assert len(seats) == 10
+    assert all(abs(np.sin(np.radians(seat.rotation))) > 0.9 for seat in seats)

@@ -62,7 +62,8 @@ def grid(wanted: int, cell: tuple[float, float], shape: MatrixShape, extent: tup
         (0, 0) where not even one copy fits.
     """
     best = (0, 0)
-    for across, along in (extent, extent[::-1]):
+    ways = [extent[::-1]] if shape.lengthwise else [extent, extent[::-1]]
+    for across, along in ways:
         cols = _fitting(across, cell[0], shape.gap[0], shape.max_cols)
         rows = _fitting(along, cell[1], shape.gap[1], shape.max_rows)
         for r in range(1, rows + 1):

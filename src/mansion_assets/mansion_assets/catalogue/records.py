@@ -131,12 +131,15 @@ class MatrixShape(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     ----------
     exact : bool
         There are as many rows and columns as that, unless the placer finds no room for them.
+    lengthwise : bool
+        The rows follow each other along the longer side of the room.
     """
 
     max_rows: int = 12
     max_cols: int = 12
     gap: tuple[float, float] = (0.9, 0.9)
     exact: bool = False
+    lengthwise: bool = False
 
 
 class Extent(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

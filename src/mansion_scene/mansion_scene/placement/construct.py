@@ -120,6 +120,8 @@ class Construction:
             return
         alone = [unit for unit in units if len(unit.parts) == 1]
         ways = [(unit, 1.0) for unit in units if len(unit.parts) > 1]
+        if ways and not spec.first and self._in_aisles(spec, units[0]):
+            return
         if ways and not spec.first:
             # Half of the desks with a chair at each are better than all without.
             ways.append((units[0], 0.5))
@@ -127,6 +129,10 @@ class Construction:
         for unit, least in ways:
             if place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=least) is not None:
                 return
+
+    def _in_aisles(self, spec: Spec, unit: Unit) -> bool:
+        """Place most of some desks with their chairs so that people pass between all of them."""
+        return place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=ENOUGH, roomy=True) is not None
 
     def _place_tables(self, spec: Spec, unit: Unit) -> bool:
         """Place most of some tables with their seats, so that people pass between them, in rows or around corners.

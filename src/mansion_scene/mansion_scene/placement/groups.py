@@ -83,15 +83,22 @@ class Group:
     @property
     def _kind(self) -> int:
         if self.anchor.rows:
-            return 0 if self.anchor.where == "edge" else 2
+            # Tills need the place by the way out before the rows that take the rest of the floor.
+            if self.anchor.where == "edge" or self.anchor.role.entrance:
+                return 0
+            return 1 if self._tables or self.anchor.role.driven_between else 2
         if self._dining_table:
             return 1  # it and its chairs need a place of their own before cupboards take it
         return {"edge": 1, "middle": 3}.get(self.anchor.where, 4)
 
     @property
     def _dining_table(self) -> bool:
-        alone = self.anchor.role.table and self.anchor.quantity == 1
-        return alone and any(member.link == "around" and member.role.seat for member in self.members)
+        return self._tables and self.anchor.quantity == 1
+
+    @property
+    def _tables(self) -> bool:
+        """Whether people sit around it, so that it needs its place before cupboards line the walls."""
+        return self.anchor.role.table and any(m.link == "around" and m.role.seat for m in self.members)
 
     @property
     def area(self) -> float:

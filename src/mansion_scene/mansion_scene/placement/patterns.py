@@ -13,7 +13,7 @@ from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.room_model import Wall
 from mansion_scene.placement.scoring import pose_scores
-from mansion_scene.placement.search import examine, relation_mask
+from mansion_scene.placement.search import examine, needs_floor_before, relation_mask, worked_at
 from mansion_scene.placement.units import Unit
 
 __all__ = [
@@ -31,6 +31,15 @@ __all__ = [
 BACK_TO_BACK = 0.4
 """Least gap between the seats of neighbouring tables that people pass through, metres."""
 
+_BETWEEN_BEDS = 0.5
+"""Least gap between beds in a row that nobody asks for a number of, metres."""
+
+_FORKLIFT_AISLES = (3.0, 2.6, 2.2, 1.8)
+"""Widths of the aisles between pallet racks that are tried, metres: a reach truck turns in 2.7 m."""
+
+_FLUE = 0.1
+"""Gap between the backs of a double row, metres."""
+
 _LEGS = 0.5
 """Least distance between the rows of an audience, metres."""
 
@@ -39,6 +48,9 @@ _VIEW = 3.0
 
 _LEAST_VIEW, _FEWER = 2.0, 0.5
 """Free floor that an audience has before it at least, metres, and the share of its seats that stays without."""
+
+_LONG = 1.4
+"""Length of a room, in its widths, from which an audience looks along it."""
 
 _SCREEN = 5.0
 """Width of a wall for a screen or a stage, metres; what is more does not count."""
@@ -60,6 +72,8 @@ def repeated(unit: Unit, offsets: Floats) -> Unit:
 
 def row_gaps(floor: Floor, spec: Spec, unit: Unit, aisle: float) -> list[float]:
     """Return gaps between the units of a row in order of preference; plain storage is placed side by side."""
+    if spec.role.bed and not spec.first:
+        return [aisle, 0.75 * aisle, _BETWEEN_BEDS]
     if spec.role.centred or spec.role.bed or len(unit.parts) > 1:
         return [aisle, 0.75 * aisle, floor.passage, 0.25, 0.05]
     return [floor.options.gap, floor.passage]
@@ -101,6 +115,8 @@ def _place_row(
     if not len(poses):
         return False
     poses = poses[floor.fits(poses, row.array())]
+    if needs_floor_before(floor, spec):
+        poses = poses[worked_at(floor, row, poses)]
     held, asked = relation_mask(floor, spec, row, poses)
     poses = poses[held == asked]
     if not len(poses):
@@ -303,6 +319,10 @@ def _spacings(floor: Floor, spec: Spec, unit: Unit, copies: int, aisle: float) -
     either direction.
     """
     lane = floor.passage
+    if spec.role.driven_between:
+        return [(floor.gap, wide) for wide in _FORKLIFT_AISLES] + [(floor.gap, aisle), (floor.gap, lane)]
+    if spec.role.bed and not spec.first:
+        return [(0.6, aisle), (_BETWEEN_BEDS, 0.75), (_BETWEEN_BEDS, _BETWEEN_BEDS), (lane, lane)]
     if _is_audience(spec, unit) and not spec.first:
         return [(floor.gap, 1.25 * aisle), (floor.gap, aisle), (floor.gap, 0.75), (floor.gap, 0.6), (floor.gap, _LEGS)]
     if len(unit.parts) == 1 and not spec.role.table:
@@ -326,13 +346,15 @@ def _macro_poses(
 ) -> tuple[Unit, Floats]:
     """Return the macro object of a matrix (BUILDMACROOBJECT) and poses at which it is in bounds and free."""
     x0, x1, y0, y1 = unit.extent()
-    px, py = x1 - x0 + gaps[0], y1 - y0 + gaps[1]
-    width, depth = shape[1] * px - gaps[0], shape[0] * py - gaps[1]
+    px = x1 - x0 + gaps[0]
+    double = spec.role.back_to_back and spec.where != "edge" and len(unit.parts) == 1
+    lines = _lines(shape[0], y1 - y0, gaps[1], double=double)
+    width, depth = shape[1] * px - gaps[0], lines[-1][0] + y1 - y0
     span = floor.room.bounds[2:] - floor.room.bounds[:2]
     if width * depth > floor.room.area or max(width, depth) > float(np.hypot(*span)):
         return unit, np.zeros((0, 4))
-    offsets = np.array([(c * px, r * py) for r in range(shape[0]) for c in range(shape[1])])
-    centre = offsets.mean(axis=0)
+    offsets = np.array([(c * px, y) for y, _ in lines for c in range(shape[1])])
+    centre = (offsets.min(axis=0) + offsets.max(axis=0)) / 2
     if spec.where == "edge":
         macro = repeated(unit, offsets - [centre[0], 0.0])
         # Only the first row of a block of three and more can be at the wall.
@@ -342,12 +364,37 @@ def _macro_poses(
         poses = wall_poses(floor, macro.extent(), unit.sizes[0][1] / 2, rng)
     else:
         macro = repeated(unit, offsets - centre)
+        if double:
+            macro = _turned_about(macro, [turned for _, turned in lines for _ in range(shape[1])])
         flush = flush_poses(floor, macro.extent(), (floor.gap, floor.passage, floor.room.aisle))
         poses = np.concatenate([flush, floor_poses(floor, rng, limit=1000)])
     poses = _facing(floor, spec, unit, poses)
+    if _is_audience(spec, unit) and not spec.first:
+        poses = _looking_lengthwise(floor, poses)
     if not len(poses):
         return macro, poses
     return macro, poses[floor.fits(poses, macro.array())]
+
+
+def _lines(rows: int, depth: float, gap: float, *, double: bool) -> list[tuple[float, bool]]:
+    """Return where the rows of a matrix stand, and whether each looks back: those of a double row look apart."""
+    lines: list[tuple[float, bool]] = []
+    y = 0.0
+    for row in range(rows):
+        paired = double and row % 2 == 1
+        if row:
+            y += depth + (_FLUE if paired else gap)
+        lines.append((y, double and rows > 1 and not paired))
+    return lines
+
+
+def _turned_about(macro: Unit, turned: Sequence[bool]) -> Unit:
+    """Return a macro object of single parts with some of them turned round where they stand."""
+    parts = tuple(
+        (*part[:2], -part[2], -part[3], *part[4:]) if back else part
+        for part, back in zip(macro.parts, turned, strict=True)
+    )
+    return replace(macro, parts=parts)
 
 
 def _place_macro(
@@ -378,6 +425,16 @@ def _facing(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
         return poses
     wanted = -focus if seated[0] else focus
     ahead = -poses[:, 3] * wanted[0] + poses[:, 2] * wanted[1]
+    return np.asarray(poses[ahead > 0.9])
+
+
+def _looking_lengthwise(floor: Floor, poses: Floats) -> Floats:
+    """Return the poses at which an audience looks along a long room, where there are any."""
+    across, along = sorted(float(side) for side in floor.room.bounds[2:] - floor.room.bounds[:2])
+    if along < _LONG * across or not len(poses):
+        return poses
+    axis = int(np.argmax(floor.room.bounds[2:] - floor.room.bounds[:2]))
+    ahead = np.abs((-poses[:, 3], poses[:, 2])[axis])
     return np.asarray(poses[ahead > 0.9])
 
 

@@ -45,6 +45,12 @@ _FITMENTS: dict[str, Fitment] = {
 _STAFFED = frozenset({"reception_desk", "sales_counter"})
 """What staff stand or sit behind, with visitors before it, by category."""
 
+_DRIVEN_BETWEEN = frozenset({"pallet_rack"})
+"""What forklifts drive between, by category."""
+
+_BACK_TO_BACK = frozenset({"pallet_rack", "metal_shelf", "shelving_unit", "archive_shelf"})
+"""What is reached from its front alone, and stands in double rows away from walls, by category."""
+
 _ENTRANCE = _set("host hostess reception umbrella coat shoe doormat checkout cashier ticket turnstile")
 
 
@@ -70,16 +76,22 @@ class Role:
         Staff are behind it, and visitors come to its front.
     vehicle : bool
         It is driven in and out.
+    driven_between : bool
+        Forklifts need the wider aisle before it.
+    back_to_back : bool
+        Rows of it stand in pairs, their backs together.
     """
 
     __slots__ = (
-        *("bed", "bedside", "centred", "entrance", "exercise", "fitment", "focal"),
+        *("back_to_back", "bed", "bedside", "centred", "driven_between", "entrance", "exercise", "fitment", "focal"),
         *("screen", "seat", "sofa", "staffed", "symmetric", "table", "vehicle"),
     )
 
     def __init__(self, words: frozenset[str], category: str = "") -> None:
         self.bedside = category in _BEDSIDE
         self.staffed = category in _STAFFED
+        self.driven_between = category in _DRIVEN_BETWEEN
+        self.back_to_back = category in _BACK_TO_BACK
         self.fitment = _FITMENTS.get(category)
         self.seat = bool(words & _SEATS)
         self.sofa = bool(words & _SOFAS)

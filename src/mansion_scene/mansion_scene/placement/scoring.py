@@ -9,13 +9,19 @@ from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.units import Unit
 
-__all__ = ["hob_before_window", "pose_scores", "screen_of", "view"]
+__all__ = ["WORKED_AT", "hob_before_window", "pose_scores", "screen_of", "view"]
 
 
 _FAR = 1.5
 
 _NEAREST, _USUAL = 2.0, 4.5
 """Least distance from the middle of a sofa to the wall with the screen, and the usual at most, metres."""
+
+WORKED_AT = 0.9
+"""Depth of the floor before a kitchen's counters where one works, metres."""
+
+_PASSED, _CROWDED = 0.45, 1.5
+"""Free floor on each side of a group of furniture, metres, and what it costs to have less."""
 
 _FOR_TWO, _ENTRY = 1.3, 0.5
 """Width of a bed from which two sleep in it, and of the floor on either side where they get in, metres."""
@@ -53,11 +59,14 @@ def pose_scores(
         narrow = ((clear > 0.12) & (clear < 0.5)).sum(axis=1)
         if spec.where == "middle" or len(unit.parts) > 1:
             score += 2.0 * around - 0.25 * narrow - 0.1 * uneven
+            score -= _CROWDED * (clear.min(axis=1) < _PASSED) * (len(unit.parts) > 1)
         else:
             score += 0.5 * front + 0.5 * (1.0 - clear.min(axis=1) / _FAR) - 0.1 * narrow
     if screen is not None:
         score += view(floor, screen, poses)
     score -= _beside_beds(floor, centres, (x1 - x0) / 2, (y1 - y0) / 2)
+    if spec.role.fitment is None:
+        score -= _before_runs(floor, centres, (x1 - x0) / 2, (y1 - y0) / 2)
     if spec.role.staffed:
         score += _towards_entrance(floor, poses)
     score += _away_from_doors(floor, poses, spec)
@@ -161,6 +170,17 @@ def _beside_beds(floor: Floor, centres: Floats, half_width: float, half_depth: f
         return np.zeros(len(centres))
     boxes = np.column_stack([np.array(strips), np.full((len(strips), 2), (_ENTRY / 2, 0.6))])
     return np.asarray(1.0 * (gap_matrix(centres, half_width, half_depth, boxes) <= 0.0).any(axis=1))
+
+
+def _before_runs(floor: Floor, centres: Floats, half_width: float, half_depth: float) -> Floats:
+    """Return a penalty for what stands where one works at the counters and appliances of a kitchen."""
+    strips = [
+        (x - (hd + WORKED_AT / 2) * uy, y + (hd + WORKED_AT / 2) * ux, ux, uy, hw, WORKED_AT / 2)
+        for x, y, ux, uy, hw, hd in (copy.box for copy in floor.placed if floor.specs[copy.spec].role.fitment)
+    ]
+    if not strips:
+        return np.zeros(len(centres))
+    return np.asarray(2.0 * (gap_matrix(centres, half_width, half_depth, np.array(strips)) <= 0.0).any(axis=1))
 
 
 def _same_wall(floor: Floor, spec: Spec, poses: Floats) -> Floats:

@@ -7,14 +7,15 @@ import numpy.typing as npt
 
 from mansion_geometry.boxes import compose, gap_matrix
 from mansion_geometry.compiled import Floats
+from mansion_geometry.fitting import front_clearance
 from mansion_scene.placement.candidates import floor_poses, opposite_poses, ring_poses, wall_poses
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.relations import LIMITS, related_boxes, relation_holds
-from mansion_scene.placement.scoring import hob_before_window, pose_scores, screen_of, view
+from mansion_scene.placement.scoring import WORKED_AT, hob_before_window, pose_scores, screen_of, view
 from mansion_scene.placement.units import Unit
 
-__all__ = ["examine", "find_placement", "relation_mask"]
+__all__ = ["examine", "find_placement", "needs_floor_before", "relation_mask", "worked_at"]
 
 
 _RELATED, _SCORED = 900, 200
@@ -46,6 +47,8 @@ def find_placement(
         if not len(poses):
             continue
         poses = _thinned(poses[floor.fits(poses, way.array())], _RELATED, rng)
+        if needs_floor_before(floor, spec, strict=strict):
+            poses = poses[worked_at(floor, way, poses)]
         if clear_hob:
             poses = poses[~hob_before_window(floor, way, poses)]
         held, asked = relation_mask(floor, spec, way, poses)
@@ -62,6 +65,28 @@ def find_placement(
         if placed is not None:
             return placed
     return None
+
+
+def needs_floor_before(floor: Floor, spec: Spec, *, strict: bool = True) -> bool:
+    """Whether a copy is better left out than put where nobody can work: one more worktop, not the only one."""
+    return spec.role.fitment == "worktop" and not spec.first and (strict or floor.count(spec.index) > 0)
+
+
+def worked_at(floor: Floor, unit: Unit, poses: Floats) -> npt.NDArray[np.bool_]:
+    """Tell at which poses there is floor to work on before every worktop and appliance of a unit."""
+    fine = np.ones(len(poses), dtype=np.bool_)
+    for x, y, ux, uy, half_width, half_depth in (part[:6] for part in unit.parts):
+        placed = np.column_stack(
+            [
+                poses[:, 0] + x * poses[:, 2] - y * poses[:, 3],
+                poses[:, 1] + x * poses[:, 3] + y * poses[:, 2],
+                ux * poses[:, 2] - uy * poses[:, 3],
+                ux * poses[:, 3] + uy * poses[:, 2],
+            ]
+        )
+        clear = front_clearance(placed, half_width, half_depth, floor.room.edges, floor.boxes, WORKED_AT)
+        fine &= clear[:, 0] > WORKED_AT - 0.05
+    return fine
 
 
 def _thinned(poses: Floats, most: int, rng: np.random.Generator) -> Floats:
