@@ -386,6 +386,9 @@ def _groups(record: Mapping[str, Any]) -> BuildingGroups:
                 for name, roof in record["roof"].items()
                 if name != "flat"
             },
+            outside={
+                name: (frozenset(group["words"]), tuple(group["shows"])) for name, group in record["outside"].items()
+            },
             flat_styles=frozenset(record["roof"]["flat"]),
             style_facades={name: tuple(materials) for name, materials in record["facade_of_style"].items()},
             room_of={str(noun): str(room) for noun, room in record.get("room_of", {}).items()},

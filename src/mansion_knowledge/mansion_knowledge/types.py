@@ -252,6 +252,8 @@ class BuildingGroups:
         Materials of the outer walls by style, for the styles that have their own.
     roofs : dict of str to (frozenset of str, tuple of str)
         Likewise the forms of their roofs: ``gable``, ``hip`` or ``flat``.
+    outside : dict of str to (frozenset of str, tuple of str)
+        Likewise what they show outside: ``marquee``, ``playground``, ``awnings``.
     flat_styles : frozenset of str
         Styles whose roofs are flat.
     room_of : dict of str to str
@@ -262,6 +264,7 @@ class BuildingGroups:
     dwellings: frozenset[str]
     facades: dict[str, tuple[frozenset[str], tuple[str, ...]]]
     roofs: dict[str, tuple[frozenset[str], tuple[str, ...]]]
+    outside: dict[str, tuple[frozenset[str], tuple[str, ...]]]
     flat_styles: frozenset[str]
     style_facades: dict[str, tuple[str, ...]] = field(default_factory=dict)
     room_of: dict[str, str] = field(default_factory=dict)
@@ -281,6 +284,17 @@ class BuildingGroups:
     def roofs_of(self, building_type: str, style: str) -> tuple[str, ...]:
         """Return the forms that the roof of a building type may have in a style."""
         return ("flat",) if style in self.flat_styles else _of_words(self.roofs, building_type)
+
+    def shown_outside(self, building_type: str) -> tuple[str, ...]:
+        """Return what a building type shows outside beyond its walls and roofs.
+
+        Examples
+        --------
+        >>> from mansion_knowledge import default_knowledge
+        >>> default_knowledge().groups.shown_outside("cinema")
+        ('marquee', 'posters')
+        """
+        return _of_words(self.outside, building_type)
 
 
 def _of_words(groups: Mapping[str, tuple[frozenset[str], tuple[str, ...]]], building_type: str) -> tuple[str, ...]:

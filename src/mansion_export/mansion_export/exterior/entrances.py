@@ -9,6 +9,7 @@ from shapely.geometry import Polygon
 from mansion_export.meshes.materials import named
 from mansion_export.meshes.model import Material, Node, Part
 from mansion_export.meshes.solids import polygon_surface
+from mansion_export.presentation import main_door
 from mansion_geometry.randomness import item_generator
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import Door, FloorScene
@@ -24,6 +25,9 @@ CANOPY: Final = 1.3
 
 ASIDE: Final = 0.5
 """How far a canopy reaches beyond a door on either side, metres."""
+
+ROOFED: Final = frozenset({"marquee", "portal", "porch"})
+"""What covers the main entrance in place of a plain canopy."""
 
 ABOVE: Final = 0.22
 THICKNESS: Final = 0.12
@@ -56,6 +60,8 @@ def entrance_parts(scene: FloorScene) -> Iterator[Part]:
     """Yield a canopy over each door to the street, and the paving before it."""
     outline = Polygon(scene.outline, scene.holes)
     wall = max((wall.thickness for wall in scene.walls if wall.exterior), default=0.24)
+    shown = default_knowledge().groups.shown_outside(scene.building_type)
+    roofed = main_door(scene) if ROOFED.intersection(shown) else None
     for door in outer_doors(scene):
         if door.kind == "garage":
             continue
@@ -64,7 +70,8 @@ def entrance_parts(scene: FloorScene) -> Iterator[Part]:
         base = door.height + ABOVE
         canopy = _before(door, out, wall, CANOPY, ASIDE)
         landing = _before(door, out, wall, LANDING, ASIDE)
-        yield Node(name, name, "site"), [polygon_surface(canopy, base, base + THICKNESS, accent(scene))]
+        if door != roofed:
+            yield Node(name, name, "site"), [polygon_surface(canopy, base, base + THICKNESS, accent(scene))]
         name = f"{door.id}/landing"
         yield Node(name, name, "site"), [polygon_surface(landing, -0.1, -0.01, named("stone_paving"))]
 

@@ -1,6 +1,6 @@
 """The plot that a building stands on: lawn or paving, a path to the street, trees, a hedge, places to park."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 import shapely
@@ -8,6 +8,7 @@ from shapely.geometry import LineString, Polygon, box
 from shapely.geometry.base import BaseGeometry
 
 from mansion_export.exterior.entrances import outer_doors, outward
+from mansion_export.exterior.grounds import Patch, fence_parts, patch_of, patch_parts
 from mansion_export.exterior.parking import BAY, bays, parked_cars
 from mansion_export.exterior.plants import along_walls, shrubs, tree, tree_places
 from mansion_export.meshes.materials import named
@@ -34,6 +35,12 @@ SHRUBS: Final = 0.75
 ENDS: Final = 0.22
 """Share of a side of the building at either end before which trees stand."""
 
+APRON: Final = 4.0
+"""Asphalt beside the way to a door for vehicles, both sides together, metres."""
+
+PATCH_OFF: Final = 0.9
+"""From the walls to a terrace or a playground, metres."""
+
 DOORSTEP: Final = 6.0
 """From a tree's trunk to doors and the sign above them, metres."""
 
@@ -58,12 +65,21 @@ def plot_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
     around = edge.difference(Polygon(slab.exterior))
     paths = _paths(scene, edge, PATH[home]).intersection(around)
     parking = Polygon() if home else _parking(scene, edge, slab).difference(paths.buffer(0.5))
-    green = around.difference(paths).difference(parking)
+    shown = default_knowledge().groups.shown_outside(scene.building_type)
+    apron = _paths(scene, edge, 0.0, APRON).intersection(around).difference(paths) if "apron" in shown else Polygon()
+    parking = parking.difference(apron.buffer(0.5))
+    green = around.difference(paths).difference(parking).difference(apron)
     prefix = f"F{scene.floor}/plot"
+    patches = _patches(scene, shown, green.difference(slab.buffer(PATCH_OFF)).buffer(-0.3))
+    for patch in patches:
+        yield from patch_parts(patch, GROUND, prefix)
+    if "fence" in shown:
+        yield from fence_parts(edge, shapely.union(paths, parking).buffer(0.3), GROUND, prefix)
     for name, shape, material, top in (
         ("lawn", green, "lawn", GROUND),
         ("path", paths, "stone_paving", GROUND + 0.02),
         ("parking", parking, "asphalt", GROUND + 0.02),
+        ("apron", apron, "asphalt", GROUND + 0.02),
     ):
         surfaces = _ground(shape, top, named(material))
         if surfaces:
@@ -83,6 +99,8 @@ def plot_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
     free = free.difference(_before_windows(slab, margin))
     for door in outer_doors(scene):
         free = free.difference(shapely.Point(door.segment[0]).buffer(DOORSTEP))
+    for patch in patches:
+        free = free.difference(patch.shape.buffer(TREE_CLEAR))
     for number, (x, y, height) in enumerate(tree_places(free, scene.seed, most=5 if home else 6), 1):
         name = f"{prefix}/tree_{number}"
         yield Node(name, name, "site"), tree(x, y, height, GROUND)
@@ -106,8 +124,22 @@ def _ground(shape: BaseGeometry, top: float, material: Material, *, bottom: floa
     ]
 
 
-def _paths(scene: FloorScene, edge: Polygon, width: float) -> BaseGeometry:
-    """Return the ways from the outer doors straight to the edge of the plot; a garage's is as wide as its door."""
+def _patches(scene: FloorScene, shown: Sequence[str], free: BaseGeometry) -> list[Patch]:
+    """Return the playground or terrace of a building whose kind has one, where it finds a place."""
+    found = (patch_of(scene, use, free) for use in ("playground", "terrace") if use in shown)
+    return [patch for patch in found if patch is not None]
+
+
+def _paths(scene: FloorScene, edge: Polygon, width: float, beside_garages: float | None = None) -> BaseGeometry:
+    """Return the ways from the outer doors straight to the edge of the plot; a garage's is as wide as its door.
+
+    Parameters
+    ----------
+    width : float
+        Of the ways to doors that people come in by.
+    beside_garages : float, optional
+        Ground beside the ways to garages; then there are no others.
+    """
     outline = Polygon(scene.outline, scene.holes)
     ways = []
     for door in outer_doors(scene):
@@ -117,6 +149,10 @@ def _paths(scene: FloorScene, edge: Polygon, width: float) -> BaseGeometry:
         far = max(edge.bounds[2] - edge.bounds[0], edge.bounds[3] - edge.bounds[1])
         line = LineString([middle, (middle[0] + far * out[0], middle[1] + far * out[1])])
         wide = door.width + 0.6 if door.kind == "garage" else width
+        if beside_garages is not None:
+            wide = wide + beside_garages if door.kind == "garage" else 0.0
+        if wide <= 0.0:
+            continue
         ways.append(line.buffer(wide / 2, cap_style="flat"))
     return shapely.union_all(ways) if ways else Polygon()
 

@@ -8,7 +8,7 @@ from shapely.geometry import Polygon
 
 from mansion_assets.catalogue import Asset, Catalogue, load_catalogue
 from mansion_assets.materials import art
-from mansion_export.exterior import entrance_parts, plot_parts, roof_parts, sign_parts
+from mansion_export.exterior import chimney_parts, entrance_parts, feature_parts, plot_parts, roof_parts, sign_parts
 from mansion_export.meshes.asset_surfaces import asset_surfaces
 from mansion_export.meshes.core_meshes import core_parts
 from mansion_export.meshes.materials import hex_color, named, surface_material
@@ -84,10 +84,11 @@ def building_models(
         if ceilings:
             above = ordered[number + 1] if number + 1 < len(ordered) else None
             covered = None if above is None else slab_polygon(above, above=False, openings=False)
-            outside += roof_parts(scene, slab_polygon(scene, above=True, openings=above is not None), covered)
+            roof = list(roof_parts(scene, slab_polygon(scene, above=True, openings=above is not None), covered))
+            outside += [*roof, *(chimney_parts(scene, ordered, roof) if above is None else ())]
         if site and scene.floor == 1:
             outside += [*plot_parts(scene, slab_polygon(scene, above=False, openings=False)), *entrance_parts(scene)]
-            outside += sign_parts(scene)
+            outside += [*feature_parts(scene), *sign_parts(scene)]
         models.append(floor_model(scene, ceilings=ceilings, cabins=here, outside=outside, catalogue=catalogue))
     return models
 

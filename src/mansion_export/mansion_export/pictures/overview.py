@@ -222,7 +222,7 @@ def _shell(models: Sequence[Model], scenes: Sequence[FloorScene], turns: int = 0
 def _outside(node: Node, inner: set[str]) -> bool:
     if node.group in ("structure", "windows", "doors", "site"):
         return node.id not in inner and node.id.removesuffix("/leaf") not in inner
-    return node.group == "ceiling" and node.id.endswith("/roof")
+    return node.group == "ceiling" and (node.id.endswith("/roof") or "/chimney_" in node.id)
 
 
 def _turned(triangles: Triangles, turns: int) -> Triangles:
