@@ -71,12 +71,15 @@ class RequestedObject(msgspec.Struct, frozen=True, kw_only=True):
         What the brief calls one of them.
     exact : bool
         No more of them are wanted.
+    rows : int
+        In how many rows they stand, as long as the room allows; 0 where the brief tells none.
     """
 
     category: str
     count: int
     words: str = ""
     exact: bool = False
+    rows: int = 0
 
 
 class RoomProgram(msgspec.Struct, frozen=True, kw_only=True):

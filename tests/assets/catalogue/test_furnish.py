@@ -196,3 +196,11 @@ def test_each_lobby_sofa_has_its_own_table_and_chairs() -> None:
     assert counts["reception_sofa"] >= 3
     assert counts["coffee_table"] == counts["reception_sofa"]
     assert counts["lounge_chair"] >= counts["reception_sofa"]
+
+
+def test_rows_that_are_asked_for_are_as_many_and_as_long_as_the_room_allows() -> None:
+    asked = [RequestedObject(category="pallet_rack", count=6, rows=6)]
+    wishes = furnish_request(CATALOGUE, "warehouse", 480.0, seed=1, extent=(28.0, 17.0), requested=asked)
+    (racks,) = [o for o in wishes.floor if o.category == "pallet_rack"]
+    assert isinstance(racks.structure, MatrixStructure)
+    assert racks.structure.rows == 6 and racks.structure.cols >= 8

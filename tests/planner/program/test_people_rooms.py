@@ -83,3 +83,17 @@ def test_a_storey_of_a_hotel_is_filled_with_one_lounge_at_most() -> None:
 def test_a_building_for_few_people_has_few_storeys(brief: str, storeys: int) -> None:
     program = plan_building(BuildRequest(description=brief, seed=3)).program
     assert len(program.floors) == storeys
+
+
+def test_people_whom_a_restaurant_seats_have_a_chair_each() -> None:
+    found = rooms(
+        planned("An Italian restaurant with seating for 40 people and a kitchen connected to the dining room")
+    )
+    assert [(w.category, w.count) for room in found for w in room.objects] == [("dining_chair", 40)]
+
+
+def test_rows_that_a_brief_counts_are_rows_of_as_many_as_fit() -> None:
+    found = rooms(planned("A warehouse with six rows of pallet racks"))
+    assert [(w.category, w.rows) for room in found for w in room.objects] == [("pallet_rack", 6)]
+    counted = rooms(planned("An office with 6 rows of 10 desks"))
+    assert {(w.count, w.rows) for room in counted for w in room.objects} == {(60, 0)}

@@ -128,6 +128,9 @@ _WALLED = 0.55
 _CROWDED = 0.8
 """Share of the floor that objects asked for cover at the very most."""
 
+_ROW_END, _ROWS_COVER = 1.8, 0.4
+"""Free floor at either end of rows that are asked for, metres, and the share of the floor that they cover at most."""
+
 _ASKED_SHARE = 0.3
 """Share of the floor up to which the assets of requested objects are chosen freely."""
 
@@ -179,6 +182,7 @@ def furnish_request(
     asked = with_requested(catalogue, card, counts, area, exact) if counts else AskedProgram(card=card)
     card = asked.card
     draft = _Draft(catalogue, asked, area, extent, rng, _Style(seed, style), compact=compact)
+    draft.rows = {r.category: r.rows for r in requested if r.rows}
     draft.wanted_looks = {r.category: r.words.split() for r in requested if r.words}
     for item in card.floor:
         draft.add(item)
@@ -262,6 +266,7 @@ class _Draft:
         self.asked, self.compact = asked, compact
         self.rests: dict[str, list[str]] = {}
         self.wanted_looks: dict[str, list[str]] = {}
+        self.rows: dict[str, int] = {}
         self.extent = room_extent(area, extent)
         self.left = area * card.cover * min(1.0, 0.7 + 0.3 * area / 12.0)
         self.entries: dict[str, _Entry] = {}
@@ -297,10 +302,12 @@ class _Draft:
             wanted = self.entries[item.paired].count
             structure = PairedStructure(with_=item.paired)
         elif asset.footprint > 0.0:
+            wanted = max(wanted, self._in_rows(asset))
             usual = min(wanted, max(1, int((self.left - self._reserved(item)) / self._share(item, asset))))
             usual = usual if asset.footprint <= max(self.left, 0.0) else 0
             if _is_whole(item.matrix, wanted):
                 usual = min(wanted, self._possible(asset))
+            least = max(least, self._in_rows(asset))
             wanted = max(usual, min(wanted, least, self._possible(asset)))
             shape = self._shape(item, asset, wanted)
             if shape is not None:
@@ -314,6 +321,16 @@ class _Draft:
         self.entries[item.name] = _Entry(item, asset, wanted, structure, smaller)
         if least or item.name in self.asked.first:
             self._add_rests(item, least)
+
+    def _rows_told(self, asset: Asset) -> int:
+        """Return in how many rows the brief wants an asset to stand; 0 where it says nothing of rows."""
+        return next((rows for category, rows in self.rows.items() if answers(category, asset.category)), 0)
+
+    def _in_rows(self, asset: Asset) -> int:
+        """Return how many copies stand in the rows that the brief tells, as long as the room allows."""
+        rows = self._rows_told(asset)
+        along = max(1, int((self.extent[0] - 2 * _ROW_END) / asset.size[0])) if rows else 0
+        return min(rows * along, int(_ROWS_COVER * self.area / asset.footprint) // rows * rows) if rows else 0
 
     def _possible(self, asset: Asset) -> int:
         """Return how many copies the whole floor of the room has space for."""
@@ -420,6 +437,9 @@ class _Draft:
     def _grid(self, item: Item, asset: Asset, wanted: int, shape: MatrixShape) -> tuple[int, int]:
         if _is_whole(shape, wanted):
             return shape.max_rows, shape.max_cols
+        rows = self._rows_told(asset)
+        if rows and wanted >= rows:
+            return rows, wanted // rows
         depth = asset.size[1]
         for other in self.card.floor:
             if other.paired == item.name:

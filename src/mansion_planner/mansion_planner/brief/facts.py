@@ -185,6 +185,8 @@ class ObjectFact:
         No more of them are wanted.
     some : int
         Of how many such rooms each has its share; 0 where all do.
+    rows : int
+        In how many rows it stands, of a length that the brief does not tell; 0 where it tells no rows.
     """
 
     words: str
@@ -199,6 +201,7 @@ class ObjectFact:
     noun: str = ""
     exact: bool = False
     some: int = 0
+    rows: int = 0
 
 
 @dataclass(frozen=True)

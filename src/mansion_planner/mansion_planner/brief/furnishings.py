@@ -120,6 +120,7 @@ def _furniture(
     room = phrases[owner[0]] if owner[0] is not None else None
     some = _rooms_having(reading, room, phrase)
     each = (owner[1] or (owner[0] in attached and attached[owner[0]].each)) and not some
+    rows = _rows_of_many(reading, phrase)
     sets = _sets(reading, phrases, number)
     placed = attached.get(number) if room is None else None
     last = phrase.last if room is not None else _unread_place(reading, phrase)
@@ -130,7 +131,7 @@ def _furniture(
         words=phrase.label,
         category=phrase.category,
         span=reading.span(phrase.first, last),
-        count=count and count * sets if phrase.counted else people_served(reading, phrases, number) or count,
+        count=rows or (count and count * sets if phrase.counted else people_served(reading, phrases, number) or count),
         room=room.name if room is not None else "",
         room_type=room.room_type if room is not None else "",
         each=(each and not (room is None and sets > 1)) or (placed is not None and placed.each),
@@ -139,6 +140,7 @@ def _furniture(
         noun=phrase.label,
         exact=phrase.counted and _NO_MORE.isdisjoint(reading.words(phrase.first, phrase.last)),
         some=some,
+        rows=rows,
     )
 
 
@@ -199,6 +201,16 @@ def _sets(reading: Reading, phrases: list[Phrase], number: int) -> int:
         gap in (("with",), ("for",)) and reading.word(phrase.last) in ("each", "apiece")
     )
     return before.count or 1 if shared else 1
+
+
+def _rows_of_many(reading: Reading, phrase: Phrase) -> int:
+    """Return in how many rows things in the plural stand that are not counted: six in "6 rows of pallet racks"."""
+    if phrase.counted or not phrase.plural or reading.word(phrase.first - 2) != "row":
+        return 0
+    rows = _rows_before(reading, phrase.first)
+    if rows:
+        reading.take(phrase.first - 3, phrase.first)
+    return rows
 
 
 def _rows_before(reading: Reading, index: int) -> int:

@@ -48,7 +48,11 @@ def furniture_of(decisions: Decisions, storeys: Sequence[Storey]) -> dict[tuple[
         for (storey, room), count in _shared_out(decisions, fact, rooms):
             furniture.setdefault((storey.index, room.id), []).append(
                 RequestedObject(
-                    category=fact.category, count=count, words=_called(decisions.facts, fact), exact=fact.exact
+                    category=fact.category,
+                    count=count,
+                    words=_called(decisions.facts, fact),
+                    exact=fact.exact,
+                    rows=fact.rows,
                 )
             )
     for place, request in place_requests(decisions, rooms).items():
