@@ -157,3 +157,50 @@ def test_an_audience_looks_along_a_long_room() -> None:
     seats = place_room(hall(16.0, 8.0, 5, 2), seed=1).placements
     assert len(seats) == 10
     assert all(abs(np.sin(np.radians(seat.rotation))) > 0.9 for seat in seats)
+
+
+def lobby(width: float, depth: float, sofas: int) -> PlacementRoom:
+    """Return a lobby with groups of a sofa, a table and two chairs."""
+    return PlacementRoom(
+        room_id="lobby",
+        room_type="lobby",
+        polygon=[(0, 0), (width, 0), (width, depth), (0, depth)],
+        doors=[PlacementOpening(segment=((1, 0), (3, 0)))],
+        objects=[
+            PlacementObject(name="sofa", category="sofa", size=(2.2, 0.9, 0.8), quantity=sofas, global_="middle"),
+            PlacementObject(
+                name="coffee_table",
+                category="coffee_table",
+                size=(1.0, 0.6, 0.45),
+                quantity=sofas,
+                relative=[Relation(kind="in_front_of", target="sofa")],
+            ),
+            PlacementObject(
+                name="lounge_chair",
+                category="lounge_chair",
+                size=(0.75, 0.75, 0.75),
+                quantity=2 * sofas,
+                relative=[Relation(kind="near", target="coffee_table")],
+            ),
+        ],
+    )
+
+
+def gaps_of_sofas(placements: list[PlacedObject]) -> list[float]:
+    """Return the distances between the middles of sofas, metres."""
+    sofas = [p.center for p in placements if p.name == "sofa"]
+    return [float(np.hypot(a[0] - b[0], a[1] - b[1])) for a, b in itertools.combinations(sofas, 2)]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_groups_of_seats_stand_apart_over_a_large_lobby(seed: int) -> None:
+    placements = place_room(lobby(12.0, 8.0, 3), seed=seed).placements
+    counts = [sum(p.name == name for p in placements) for name in ("sofa", "coffee_table", "lounge_chair")]
+    assert counts[0] >= 2 and counts[1] == counts[0] and counts[2] >= counts[0]
+    assert min(gaps_of_sofas(placements)) > 2.4
+
+
+def test_no_group_of_seats_fills_a_passage() -> None:
+    placements = place_room(lobby(14.0, 2.4, 3), seed=0).placements
+    sofas = [p for p in placements if p.name == "sofa"]
+    assert all(min(p.center[1], 2.4 - p.center[1]) < 0.6 for p in sofas)  # along a wall, if at all

@@ -18,7 +18,7 @@ def bay(doors: int) -> PlacementRoom:
     )
 
 
-@pytest.mark.parametrize("doors", [2, 3])
+@pytest.mark.parametrize("doors", [1, 2, 3])
 def test_each_vehicle_stands_behind_a_door_with_its_nose_to_it(doors: int) -> None:
     engines = place_room(bay(doors), seed=1).placements
     assert sorted(round(engine.center[0], 2) for engine in engines) == [

@@ -17,7 +17,7 @@ def car_lift(b: Builder) -> None:
     for side in (-1, 1):
         across = sorted((side * w / 2, side * (w / 2 - 0.26)))
         b.box((across[0], across[1]), (-0.16, 0.16), (0, h - 0.1), b.mat(), "posts")
-        b.box((across[0] - 0.02, across[1] + 0.02), (-d * 0.46, d * 0.46), (0, 0.03), "metal_dark", "plates")
+        b.box((across[0] - 0.02, across[1] + 0.02), (-0.37, 0.37), (0, 0.03), "metal_dark", "plates")
         inner = side * (w / 2 - 0.26)
         b.box(
             (min(inner, inner - side * 0.1), max(inner, inner - side * 0.1)),
@@ -27,10 +27,12 @@ def car_lift(b: Builder) -> None:
             "carriages",
         )
         for end in (-1, 1):
-            tip = (inner - side * w * 0.26, end * d * 0.42, level)
+            tip = (inner - side * w * 0.26, end * min(d * 0.42, 1.2), level)
             b.rod((inner - side * 0.05, end * 0.14, level), tip, 0.07, "paint_yellow", "arms", 6, solid=True)
             b.cyl(tip[0], tip[1], (level, level + 0.14), 0.1, "rubber_black", "pads", n=14)
     b.box((-w / 2, w / 2), (-0.1, 0.1), (h - 0.12, h), b.mat(), "beam")
+    if b.p.get("loaded"):
+        _raised_car(b, level + 0.14)
     x = w / 2 - 0.13
     b.box((x - 0.15, x + 0.11), (0.16, 0.34), (h * 0.5, h * 0.66), "plastic_light", "controls")
     face = DrawnFace.front(b, 0.34)
@@ -41,6 +43,21 @@ def car_lift(b: Builder) -> None:
         DrawnFace.front(b, 0.16).write(
             "LIFT", (u - 0.11, u + 0.11), (h * 0.78, h * 0.84), "plastic_white", "letters", 0.005
         )
+
+
+def _raised_car(b: Builder, level: float) -> None:
+    """A car on the pads of a lift, its sill at a height."""
+    half, d = b.w * 0.29, b.d
+    body = [
+        (-d / 2, level + 0.16), (d / 2, level + 0.14), (d / 2 - 0.05, level + 0.48),
+        (d * 0.28, level + 0.6), (-d * 0.46, level + 0.64), (-d / 2, level + 0.5),
+    ]  # fmt: skip
+    cabin = [(-d * 0.42, level + 0.62), (d * 0.22, level + 0.6), (d * 0.06, level + 1.0), (-d * 0.28, level + 1.0)]
+    b.prism(body, (-half, half), "paint_red", part="car")
+    b.prism(cabin, (-half + 0.08, half - 0.08), "glass_black", part="car")
+    for side in (-1, 1):
+        for y in (-d * 0.3, d * 0.3):
+            b.rod((side * (half - 0.2), y, level), (side * half, y, level), 0.32, "rubber_black", "wheels", 18)
 
 
 @recipe("gantry_crane")

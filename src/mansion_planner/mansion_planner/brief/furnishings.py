@@ -278,7 +278,7 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         found.append(ObjectFact(
             words=f"for {reading.value(at):.0f}", category="bed" if bedded else "chair", span=span,
             count=int(reading.value(at)), room=phrase.name, room_type=phrase.room_type, each=each,
-            noun="beds" if bedded else "seats",
+            noun="beds" if bedded else "seats", exact=bedded,
         ))  # fmt: skip
         reading.take(end, last)
     return found

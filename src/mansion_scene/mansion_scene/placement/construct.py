@@ -56,7 +56,8 @@ class Construction:
     def due(self, spec: Spec) -> int:
         """Return how many of the missing copies have what they stand at: a chair without its table is in the way."""
         wanted = spec.quantity
-        if spec.link in _AT_HOST and not spec.first:
+        seated = spec.link == "near" and spec.role.seat
+        if (seated or spec.link in _AT_HOST) and not spec.first:
             host = self.floor.specs[spec.host]
             wanted = min(wanted, -(-wanted * self.floor.count(host.index) // host.quantity))
         return max(wanted - self.floor.count(spec.index), 0)
@@ -107,10 +108,19 @@ class Construction:
             return False
         place = place_rows if spec.where == "edge" else place_lattice
         shares = self._shares(spec, count, equal=True)
-        for unit in self._units(spec, spec.size, shares)[:3]:
-            if place(self.floor, spec, unit, count, self.rng, self.aisle):
-                return True
-        return False
+        units = self._units(spec, spec.size, shares)[:3]
+        if spec.role.sofa and spec.where == "middle" and self._place_groups(spec, units[:2], count):
+            return True
+        return any(place(self.floor, spec, unit, count, self.rng, self.aisle) for unit in units)
+
+    def _place_groups(self, spec: Spec, units: Sequence[Unit], count: int) -> bool:
+        """Place sofas with all that belongs to each: rather fewer such groups than many sofas without."""
+        numbers = range(count, 1, -1) if not spec.first else (count,)
+        return any(
+            len(unit.parts) > 1 and place_lattice(self.floor, spec, unit, number, self.rng, self.aisle)
+            for number in numbers
+            for unit in units
+        )
 
     def _place_matrix(self, spec: Spec) -> None:
         shares = self._shares(spec, spec.quantity, equal=True)

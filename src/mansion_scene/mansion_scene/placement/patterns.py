@@ -12,7 +12,7 @@ from mansion_scene.placement.candidates import floor_poses, flush_poses, wall_po
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.room_model import Wall
-from mansion_scene.placement.scoring import pose_scores
+from mansion_scene.placement.scoring import pose_scores, with_way_around
 from mansion_scene.placement.search import examine, needs_floor_before, relation_mask, worked_at
 from mansion_scene.placement.units import Unit
 
@@ -202,6 +202,7 @@ def place_lattice(floor: Floor, spec: Spec, unit: Unit, count: int, rng: np.rand
                 if len(poses) < count:
                     continue
                 poses = poses[floor.fits(poses, unit.array())]
+                poses = poses[with_way_around(floor, spec, unit, poses)]
                 held, asked = relation_mask(floor, spec, unit, poses)
                 poses = poses[held == asked]
                 if len(poses) >= count and _put_lattice(floor, spec, unit, poses, count, rng):

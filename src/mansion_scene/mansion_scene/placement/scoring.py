@@ -9,7 +9,7 @@ from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.units import Unit
 
-__all__ = ["WORKED_AT", "hob_before_window", "pose_scores", "screen_of", "view"]
+__all__ = ["WORKED_AT", "hob_before_window", "pose_scores", "screen_of", "view", "with_way_around"]
 
 
 _FAR = 1.5
@@ -19,6 +19,9 @@ _NEAREST, _USUAL = 2.0, 4.5
 
 WORKED_AT = 0.9
 """Depth of the floor before a kitchen's counters where one works, metres."""
+
+_WAY = 0.65
+"""Free floor around a group of sofas in a public room, metres."""
 
 _PASSED, _CROWDED = 0.45, 1.5
 """Free floor on each side of a group of furniture, metres, and what it costs to have less."""
@@ -142,6 +145,19 @@ def view(floor: Floor, screen: Spec, poses: Floats) -> Floats:
     possible = np.isfinite(nearest)
     possible[possible] = floor.fits(found[possible], part)
     return np.asarray(np.where(possible, 1.5 * usual, 0.0))
+
+
+def with_way_around(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Bools:
+    """Tell at which poses people pass on every side of a group of sofas on the floor of a public room."""
+    if not (spec.role.sofa and spec.where == "middle" and floor.room.public) or spec.first:
+        return np.ones(len(poses), dtype=np.bool_)
+    x0, x1, y0, y1 = unit.extent()
+    mx, my = (x0 + x1) / 2, (y0 + y1) / 2
+    centres = poses.copy()
+    centres[:, 0] += mx * poses[:, 2] - my * poses[:, 3]
+    centres[:, 1] += mx * poses[:, 3] + my * poses[:, 2]
+    clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, floor.room.edges, floor.boxes, _WAY)
+    return np.asarray(clear.min(axis=1) >= _WAY - 0.05)
 
 
 def hob_before_window(floor: Floor, unit: Unit, poses: Floats) -> Bools:

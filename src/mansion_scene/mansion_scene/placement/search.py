@@ -12,7 +12,7 @@ from mansion_scene.placement.candidates import floor_poses, opposite_poses, ring
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.relations import LIMITS, related_boxes, relation_holds
-from mansion_scene.placement.scoring import WORKED_AT, hob_before_window, pose_scores, screen_of, view
+from mansion_scene.placement.scoring import WORKED_AT, hob_before_window, pose_scores, screen_of, view, with_way_around
 from mansion_scene.placement.units import Unit
 
 __all__ = ["examine", "find_placement", "needs_floor_before", "relation_mask", "worked_at"]
@@ -47,6 +47,8 @@ def find_placement(
         if not len(poses):
             continue
         poses = _thinned(poses[floor.fits(poses, way.array())], _RELATED, rng)
+        if not at_wall:
+            poses = poses[with_way_around(floor, spec, way, poses)]
         if needs_floor_before(floor, spec, strict=strict):
             poses = poses[worked_at(floor, way, poses)]
         if clear_hob:

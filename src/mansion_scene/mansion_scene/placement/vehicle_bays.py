@@ -33,12 +33,12 @@ _ASIDE = (0.0, 0.3, -0.3, 0.6, -0.6, 1.0, -1.0)
 def place_behind_doors(floor: Floor, spec: Spec, count: int) -> int:
     """Place up to `count` vehicles behind the doors that they drive in through; return how many.
 
-    In a room with two and more bays each stands behind a door of its own; in a garage all stand abreast behind its
-    door. In other rooms none is placed: vehicles stand wherever there is place for them.
+    In a hall of bays each stands behind a door of its own; in a garage all stand abreast behind its door. In other
+    rooms none is placed: vehicles stand wherever there is place for them.
     """
     doors = sorted(floor.room.doors, key=_width, reverse=True)
     bays = [door for door in floor.room.doors if _width(door) >= _BAY_DOOR]
-    if len(bays) >= 2:
+    if len(bays) >= 2 or (bays and not floor.room.garage):
         return _place_in_bays(floor, spec, count, bays)
     if floor.room.garage and doors and _width(doors[0]) >= _CAR_DOOR:
         return _place_abreast(floor, spec, count, doors[0])
