@@ -439,6 +439,7 @@ def name_of(reading: Reading, begin: int, end: int, core: int | None = None) -> 
     core = end - 1 if core is None else core
     begin += begin < core and _measures_places(reading, begin)
     begin += begin < core and reading.words(begin - 1, begin + 1) == ("open", "plan")
+    begin += 2 * (begin + 1 < core and reading.words(begin, begin + 2) == ("open", "plan"))
     words = [reading.word(i) for i in range(begin, end) if i >= core or _names(reading.tokens[i])]
     words = [word.replace("&", "_and_") for word in words]
     return "_".join(word for word in words if word.isascii() and word.replace("_", "").isalnum())[:60].strip("_")
