@@ -40,4 +40,4 @@ def test_an_ensuite_of_one_of_several_bedrooms_is_that_one_alone() -> None:
 
 def test_open_plan_is_no_part_of_a_name_and_a_living_area_is_a_living_room() -> None:
     facts = read_brief("a house with an open-plan living area and three bedrooms", default_knowledge())
-    assert [(room.name, room.room_type) for room in facts.rooms][0] == ("living_area", "living_room")
+    assert next((room.name, room.room_type) for room in facts.rooms) == ("living_area", "living_room")
