@@ -55,3 +55,23 @@ def test_the_stalls_of_a_stable_are_for_horses() -> None:
 def test_a_seating_area_is_a_place_to_sit() -> None:
     kinds = {room.room_type for room in rooms("a laundromat with 20 washing machines and a seating area")}
     assert "lounge" in kinds
+
+
+@pytest.mark.parametrize(
+    ("brief", "kind", "count"),
+    [
+        ("a monastery with 12 cells and a chapel", "dorm_room", 12),
+        ("a film studio with two make-up rooms", "dressing_room", 2),
+        ("an optician with an eye test room", "consultation_room", 1),
+        ("an escape room venue with four themed rooms", "game_room", 4),
+    ],
+)
+def test_rooms_of_a_trade_are_of_its_kind(brief: str, kind: str, count: int) -> None:
+    assert [room.room_type for room in rooms(brief)].count(kind) == count
+
+
+@pytest.mark.parametrize(("brief", "most"), [("an arcade with a snack bar", 320.0), ("a container home", 60.0)])
+def test_small_buildings_are_small(brief: str, most: float) -> None:
+    program = plan_building(BuildRequest(description=brief)).program
+    assert len(program.floors) == 1
+    assert program.floors[0].gross_floor_area <= most

@@ -351,7 +351,9 @@ def read_massing(reading: Reading) -> None:
 _NAMED = {"duplex": 2, "triplex": 3, "bungalow": 1}
 
 _PARTS_WITH_TOWERS = frozenset(
-    "bell clock church water stair corner watch control lift cooling fly drill hose climbing lookout round square".split()
+    """
+    bell clock church water stair corner watch control lift cooling fly drill hose climbing lookout round square
+    """.split()
 )
 """What stands before a tower that is a part of a building."""
 

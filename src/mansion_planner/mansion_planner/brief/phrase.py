@@ -1,5 +1,6 @@
 """A noun phrase of a brief, with the counts, the determiner and the name that stand around its head."""
 
+import re
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
@@ -188,6 +189,8 @@ def finished_phrase(
     name = name_of(reading, begin, end, core=mention.first if mention is not None else end - 1)
     named = begin + (begin < end - 1 and _measures_places(reading, begin))
     label = reading.text[reading.tokens[named].start : reading.tokens[end - 1].end]
+    if named and reading.tokens[named - 1].start == reading.tokens[named].start:
+        label = re.split(r"[-\s]", label, maxsplit=1)[-1]  # "seat" of "a 200-seat theatre"
     return Phrase(
         head,
         first,

@@ -20,7 +20,8 @@ _MEANT = {
     "hall": ("assembly_hall", "conference_hall"), "guest_room": ("hotel_room",), "bedroom": ("hotel_room",),
     "gym": ("home_gym",), "dressing_room": ("walk_in_closet",),
     "stall": ("food_stall",), "seating": ("restaurant", "cafeteria", "cafe"),
-    "seating_area": ("restaurant", "cafeteria", "cafe"), "library": ("library_room",), "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
+    "seating_area": ("restaurant", "cafeteria", "cafe"), "library": ("library_room",),
+    "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
 }  # fmt: skip
 """Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
 
