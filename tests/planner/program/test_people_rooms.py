@@ -97,3 +97,18 @@ def test_rows_that_a_brief_counts_are_rows_of_as_many_as_fit() -> None:
     assert [(w.category, w.rows) for room in found for w in room.objects] == [("pallet_rack", 6)]
     counted = rooms(planned("An office with 6 rows of 10 desks"))
     assert {(w.count, w.rows) for room in counted for w in room.objects} == {(60, 0)}
+
+
+@pytest.mark.parametrize(
+    "brief", ["a flat with a guest room", "a house for a couple with a home cinema and a guest room"]
+)
+def test_those_who_live_in_a_home_with_a_guest_room_have_a_bedroom(brief: str) -> None:
+    kinds = [room.room_type for room in rooms(planned(brief))]
+    assert kinds.count("guest_room") == 1
+    assert {"bedroom", "master_bedroom"} & set(kinds)
+
+
+def test_a_kitchen_diner_is_the_place_to_dine_unless_a_dining_room_is_asked_for() -> None:
+    without = [room.room_type for room in rooms(planned("a house with a kitchen diner"))]
+    both = [room.room_type for room in rooms(planned("a house with a kitchen diner and a dining room"))]
+    assert ("dining_room" in without, "dining_room" in both) == (False, True)
