@@ -56,3 +56,9 @@ def test_rooms_are_furnished_by_what_their_names_say_is_done_there() -> None:
     assert furnished_as("radiology_room", "hospital") == "radiology_room"
     assert furnished_as("gym", "gym_building", "Weights area") == "weights_area"
     assert furnished_as("lounge", "laboratory_building", "Test area") == "robot_test_area"
+
+
+def test_those_who_need_care_wash_without_a_tub() -> None:
+    assert furnished_as("bathroom", "nursing_home") == "accessible_bathroom"
+    assert furnished_as("bathroom", "house", "Accessible bathroom") == "accessible_bathroom"
+    assert furnished_as("bathroom", "house") == "bathroom"

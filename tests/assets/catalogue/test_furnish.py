@@ -204,3 +204,10 @@ def test_rows_that_are_asked_for_are_as_many_and_as_long_as_the_room_allows() ->
     (racks,) = [o for o in wishes.floor if o.category == "pallet_rack"]
     assert isinstance(racks.structure, MatrixStructure)
     assert racks.structure.rows == 6 and racks.structure.cols >= 8
+
+
+def test_an_accessible_bathroom_has_a_shower_and_bars_and_no_tub() -> None:
+    wishes = furnish_request(CATALOGUE, "accessible_bathroom", 6.0, seed=1)
+    assert {"shower_cabin", "pedestal_sink"} <= {o.category for o in wishes.floor}
+    assert not any(o.category == "bathtub" for o in wishes.floor)
+    assert sum(w.count for w in wishes.wall if w.asset.category == "grab_bar") >= 2

@@ -40,6 +40,7 @@ def outside(scenes: list[FloorScene]) -> dict[str, np.ndarray]:
     ("building_type", "shown"),
     [
         ("cinema", {"F1/marquee"}),
+        ("church", {"F1/porch", "F1/steeple"}),
         ("town_hall", {"F1/portal", "F1/flagpole"}),
         ("kindergarten", {"F1/porch", "F1/plot/fence", "F1/plot/playground"}),
         ("restaurant_building", {"F1/plot/terrace"}),
@@ -47,7 +48,7 @@ def outside(scenes: list[FloorScene]) -> dict[str, np.ndarray]:
     ],
 )
 def test_each_kind_of_building_shows_what_it_is(storeys: list[FloorScene], building_type: str, shown: set[str]) -> None:
-    told = {"marquee", "portal", "porch", "flagpole", "fence", "playground", "terrace"}
+    told = {"marquee", "steeple", "portal", "porch", "flagpole", "fence", "playground", "terrace"}
     found = {name for name in outside(as_type(storeys, building_type)) if name.rpartition("/")[2] in told}
     assert found == shown
 

@@ -6,6 +6,7 @@ from typing import Final
 import numpy as np
 from shapely.geometry import Point as Place
 from shapely.geometry import Polygon
+from shapely.geometry.base import BaseGeometry
 
 from mansion_export.meshes.materials import named
 from mansion_export.meshes.model import Node, Part
@@ -23,7 +24,9 @@ ABOVE: Final = 0.8
 HEARTHS: Final = frozenset({"fireplace"})
 
 
-def chimney_parts(scene: FloorScene, below: Sequence[FloorScene], roof: Sequence[Part]) -> Iterator[Part]:
+def chimney_parts(
+    scene: FloorScene, below: Sequence[FloorScene], roof: Sequence[Part], above: BaseGeometry | None
+) -> Iterator[Part]:
     """Yield a chimney over each fireplace of a floor and of those below that its roof covers.
 
     Parameters
@@ -32,6 +35,8 @@ def chimney_parts(scene: FloorScene, below: Sequence[FloorScene], roof: Sequence
         The floors below the roof, this one among them.
     roof : sequence of Part
         What covers the floor.
+    above : geometry, optional
+        Ground plan of the storey above; none over the highest.
     """
     points = [surface.vertices for _, surfaces in roof for surface in surfaces if len(surface.vertices)]
     if not points:
@@ -42,7 +47,7 @@ def chimney_parts(scene: FloorScene, below: Sequence[FloorScene], roof: Sequence
     hearths = [thing for floor in below for thing in floor.objects if thing.category in HEARTHS]
     for number, thing in enumerate(hearths, 1):
         x, y = thing.position[0], thing.position[1]
-        if not outline.contains(Place(x, y)):
+        if not outline.contains(Place(x, y)) or (above is not None and above.contains(Place(x, y))):
             continue
         name = f"F{scene.floor}/chimney_{number}"
         head = ridge + ABOVE

@@ -7,11 +7,12 @@ from shapely.geometry import Point as Place
 
 from mansion_export.exterior.entrances import accent
 from mansion_export.exterior.fronts import Front, front_of, front_windows, places_beside
-from mansion_export.meshes.materials import named
+from mansion_export.meshes.materials import named, surface_material
 from mansion_export.meshes.model import Node, Part, Surface
 from mansion_export.meshes.solids import boxes_surface, polygon_surface
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import FloorScene
+from mansion_scene.structure.materials import facade_of
 
 __all__ = ["feature_parts"]
 
@@ -32,6 +33,9 @@ BANNER: Final = (0.9, 1.0, 3.0)
 AWNING: Final = 0.95
 STRIPE: Final = 0.3
 """How far an awning reaches out, and the width of its stripes, metres."""
+
+TOWER: Final = 2.8
+"""Side of a church's tower, metres."""
 
 POLE: Final = 7.0
 """Height of a flagpole, metres."""
@@ -165,6 +169,37 @@ def _awnings(scene: FloorScene, front: Front) -> list[Surface]:
     return [boxes_surface(boxes[0], accent(scene)), boxes_surface(boxes[1], named("signal_white"))]
 
 
+def _steeple(scene: FloorScene, front: Front) -> list[Surface]:
+    """Return a tower with a cross at the end of the front that is farther from the entrance."""
+    near = -front.low > front.high
+    low, high = (front.low, front.low + TOWER) if near else (front.high - TOWER, front.high)
+    doors = [front.interval(door.segment) for door in scene.doors if None in door.rooms]
+    if any(interval and interval[0] < high + 0.5 and interval[1] > low - 0.5 for interval in doors):
+        return []
+    top = max((wall.height for wall in scene.walls), default=3.0) + 5.5
+    middle = (low + high) / 2
+    shaft = front.box((low, high), (0.0, TOWER), (GROUND, top))
+    roofs = [
+        front.box(
+            (low - 0.2 + step, high + 0.2 - step),
+            (step - 0.2, TOWER + 0.2 - step),
+            (top + 1.1 * step, top + 1.1 * step + 0.45),
+        )
+        for step in (0.0, 0.4, 0.8, 1.2)
+    ]
+    head = top + 1.8
+    cross = [
+        front.box((middle - 0.06, middle + 0.06), (TOWER / 2 - 0.06, TOWER / 2 + 0.06), (head, head + 1.3)),
+        front.box((middle - 0.4, middle + 0.4), (TOWER / 2 - 0.06, TOWER / 2 + 0.06), (head + 0.75, head + 0.9)),
+    ]
+    openings = [front.box((middle - 0.45, middle + 0.45), (TOWER, TOWER + 0.03), (top - 2.2, top - 0.6))]
+    return [
+        boxes_surface([shaft], surface_material(facade_of(scene), "wall")),
+        boxes_surface(roofs, named("slate_roof")),
+        boxes_surface([*cross, *openings], named("painted_steel")),
+    ]
+
+
 def _flagpole(scene: FloorScene, front: Front) -> list[Surface]:
     """Return a pole with a flag beside the way to the entrance."""
     along = front.door.width / 2 + 3.0
@@ -183,4 +218,5 @@ _FEATURES: Final[dict[str, Callable[[FloorScene, Front], list[Surface]]]] = {
     "banners": _banners,
     "awnings": _awnings,
     "flagpole": _flagpole,
+    "steeple": _steeple,
 }

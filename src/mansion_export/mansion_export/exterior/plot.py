@@ -66,7 +66,7 @@ def plot_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
     paths = _paths(scene, edge, PATH[home]).intersection(around)
     parking = Polygon() if home else _parking(scene, edge, slab).difference(paths.buffer(0.5))
     shown = default_knowledge().groups.shown_outside(scene.building_type)
-    apron = _paths(scene, edge, 0.0, APRON).intersection(around).difference(paths) if "apron" in shown else Polygon()
+    apron = _paths(scene, edge, 0.0, APRON).intersection(around) if "apron" in shown else Polygon()
     parking = parking.difference(apron.buffer(0.5))
     green = around.difference(paths).difference(parking).difference(apron)
     prefix = f"F{scene.floor}/plot"
@@ -77,7 +77,7 @@ def plot_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
         yield from fence_parts(edge, shapely.union(paths, parking).buffer(0.3), GROUND, prefix)
     for name, shape, material, top in (
         ("lawn", green, "lawn", GROUND),
-        ("path", paths, "stone_paving", GROUND + 0.02),
+        ("path", paths.difference(apron), "stone_paving", GROUND + 0.02),
         ("parking", parking, "asphalt", GROUND + 0.02),
         ("apron", apron, "asphalt", GROUND + 0.02),
     ):

@@ -45,7 +45,7 @@ PITCH: Final = 35.0
 HIGHEST: Final = 4.5
 """Greatest height of a ridge over the eaves, metres: wide roofs are flatter."""
 
-WIDEST: Final = 16.0
+WIDEST: Final = 18.0
 """Span up to which roofs are pitched, metres."""
 
 _HALF_WALL: Final = 0.06

@@ -85,7 +85,7 @@ def building_models(
             above = ordered[number + 1] if number + 1 < len(ordered) else None
             covered = None if above is None else slab_polygon(above, above=False, openings=False)
             roof = list(roof_parts(scene, slab_polygon(scene, above=True, openings=above is not None), covered))
-            outside += [*roof, *(chimney_parts(scene, ordered, roof) if above is None else ())]
+            outside += [*roof, *chimney_parts(scene, ordered[: number + 1], roof, covered)]
         if site and scene.floor == 1:
             outside += [*plot_parts(scene, slab_polygon(scene, above=False, openings=False)), *entrance_parts(scene)]
             outside += [*feature_parts(scene), *sign_parts(scene)]
