@@ -1,16 +1,21 @@
 """Fruit and vegetables, told apart by their shape, stalks, leaves and skins."""
 
+import itertools
 import math
+
+import numpy as np
 
 from mansion_assets.builder import Builder
 from mansion_assets.registry import recipe
+from mansion_assets.solids import Vec3, sheet
+from mansion_geometry.compiled import Floats
 
 __all__: list[str] = []
 
 
 @recipe("ball")
 def ball(b: Builder) -> None:
-    """Round things: apples, lettuce, potatoes, half shells."""
+    """Round things: apples, potatoes, half shells."""
     w, d, h = b.w, b.d, b.h
     style = b.p.get("style", "plain")
     if style == "dome":
@@ -25,10 +30,6 @@ def ball(b: Builder) -> None:
     b.ball((0, 0, top / 2), (w / 2, d / 2, top / 2), b.mat(), "body", 16)
     if style == "apple":
         b.rod((0, 0, top * 0.95), (0, 0, h), max(0.002, w * 0.03), "wood_brown", "stalk", 6)
-    elif style == "leafy":
-        for k in range(4):
-            x, y = ((0.2, 0), (-0.2, 0.1), (0, 0.22), (0.05, -0.2))[k]
-            b.ball((x * w, y * d, h * 0.55), (w * 0.28, d * 0.28, h * 0.42), "leaf_green", "leaves", 8, solid=False)
 
 
 @recipe("banana")
@@ -159,3 +160,38 @@ def tomato(b: Builder) -> None:
         ]
         b.path([(float(x), float(y), float(z)) for x, y, z in points], w * 0.028, "leaf_3f8f3a", "calyx")
     b.path([(0, 0, high * 0.96), (0, 0, high * 1.08), (w * 0.06, d * 0.04, h)], w * 0.026, "leaf_4f7f2f", "stalk")
+
+
+@recipe("lettuce")
+def lettuce(b: Builder) -> None:
+    """A head of lettuce: rings of frilly leaves with pale stalks, open round a yellow heart."""
+    w, d, h = b.w, b.d, b.h
+    b.ball((0, 0, h * 0.3), (w * 0.3, d * 0.3, h * 0.3), "food_dceba0", "heart", 12)
+    rings = ((7, 0.5, 0.62, "food_3f8f2f"), (6, 0.4, 0.84, "food_6fb83f"), (5, 0.24, 1.0, "food_a8d860"))
+    for number, (count, reach, high, color) in enumerate(rings):
+        for k in range(count):
+            angle = math.tau * (k + 0.37 * number) / count
+            leaf, thick = _leaf(b, angle, reach, high, count), min(w, h) * 0.012
+            b.raw(*sheet(leaf[:4], thick), "food_d2e8a4", "stalks")
+            b.raw(*sheet(leaf[3:], thick), color, "leaves")
+
+
+def _leaf_point(b: Builder, angle: float, reach: float, high: float, up: float) -> Vec3:
+    """Return the middle of a leaf at the share `up` of its way from the stalk to the tip."""
+    out = 0.12 + (reach - 0.12) * math.sin(up * math.pi * 0.62)
+    return math.cos(angle) * out * b.w, math.sin(angle) * out * b.d, b.h * high * (0.04 + 0.9 * up**1.3)
+
+
+def _leaf(b: Builder, angle: float, reach: float, high: float, count: int) -> Floats:
+    """Return the grid of a leaf, (rows, columns, 3): wide and waved at its edge."""
+    rows, columns = 6, 9
+    grid = np.empty((rows, columns, 3))
+    for i in range(rows):
+        up = i / (rows - 1)
+        wide = 1.5 * math.pi / count * math.sin(math.pi * (0.12 + 0.72 * up))
+        for j in range(columns):
+            side = 1 - 2 * j / (columns - 1)
+            wave = math.sin(j * 2.4 + 3 * angle) * up * (0.35 + 0.65 * abs(side))
+            x, y, z = _leaf_point(b, angle + side * wide, reach * (1 + 0.14 * wave), high, up)
+            grid[i, j] = x, y, z - b.h * high * (0.1 * side * side * up + 0.05 * wave)
+    return grid
