@@ -1,6 +1,5 @@
 """Fruit and vegetables, told apart by their shape, stalks, leaves and skins."""
 
-import itertools
 import math
 
 import numpy as np

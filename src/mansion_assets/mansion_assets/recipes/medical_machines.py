@@ -35,7 +35,7 @@ def scanner(b: Builder) -> None:
 
 @recipe("mri_scanner")
 def mri_scanner(b: Builder) -> None:
-    """A long rounded magnet with a narrow lit tunnel through it, MRI on its front and side, and a table that runs in."""
+    """A long rounded magnet with a narrow lit tunnel, MRI on its front and side, and a table that runs in."""
     w, d, h = b.w, b.d, b.h
     front, middle, r, n = d * 0.14, h * 0.5, 0.36, 22
     turns = [math.tau * (k + 0.5) / n for k in range(n)]

@@ -213,7 +213,7 @@ def wet_floor_sign(b: Builder) -> None:
 
 @recipe("painting")
 def painting(b: Builder) -> None:
-    """A picture on a cream mount in a deep moulded frame with a golden edge inside, and a brass plate with its title."""
+    """A picture on a cream mount in a deep frame with golden edges, and a brass plate with its title."""
     w, d, h = b.w, b.d, b.h
     rim = min(w, h) * 0.09
     b.box((-w / 2, w / 2), (-d / 2, -d * 0.2), (0, h), b.mat(), "back")
@@ -289,9 +289,7 @@ def _woven_figures(face: DrawnFace, half: float, cloth: tuple[float, float]) -> 
                         0.001 + 0.0006 * (8 - size),
                     )
     for level in (0.36, 0.64):
-        points = [
-            (half * (k / 8 - 1), cloth[0] + tall * (level + (0.025 if k % 2 else -0.025))) for k in range(17)
-        ]
+        points = [(half * (k / 8 - 1), cloth[0] + tall * (level + (0.025 if k % 2 else -0.025))) for k in range(17)]
         face.line(points, tall * 0.009, "fabric_d9902d", "zigzags")
 
 

@@ -226,7 +226,7 @@ def hair_brush(b: Builder) -> None:
 
 @recipe("hair_dryer")
 def hair_dryer(b: Builder) -> None:
-    """A barrel with a grille behind and a flat nozzle before, a slanted grip with switches, and a cord with its plug."""
+    """A barrel with a grille behind and a flat nozzle, a slanted grip with switches, and a cord with its plug."""
     w, d, h = b.w, b.d, b.h
     main, dark = b.mat(), "plastic_3a3d42"
     r = d * 0.46
