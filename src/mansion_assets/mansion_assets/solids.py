@@ -148,8 +148,5 @@ def sheet(grid: Floats, thick: float) -> tuple[Floats, Ints]:
     top = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
     rim = np.concatenate([at[0, :-1], at[:-1, -1], at[-1, :0:-1], at[:0:-1, 0]])
     follow, below = np.roll(rim, -1), rows * columns
-    sides = [
-        np.column_stack([rim, rim + below, follow + below]),
-        np.column_stack([rim, follow + below, follow]),
-    ]
+    sides = [np.column_stack([rim, rim + below, follow + below]), np.column_stack([rim, follow + below, follow])]
     return vertices, np.concatenate([top, top[:, ::-1] + below, *sides])

@@ -1,6 +1,7 @@
 """Curtains of rooms, baths and hospital beds, and blinds."""
 
 from mansion_assets.builder import Builder
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
@@ -85,16 +86,21 @@ def ward_curtain(b: Builder) -> None:
 
 @recipe("slatted_blind")
 def slatted_blind(b: Builder) -> None:
-    """Tilted slats below a head box, on ladders of cord, with a wand and a pull cord."""
+    """Slats below a head box before a window with a blue sky, on broad tapes, with a wand and a cord with tassels."""
     w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.84, h), "plastic_light", "box")
-    count = 7
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.86, h), "plastic_white", "box")
+    b.box((-w * 0.49, w * 0.49), (-d / 2, -d * 0.4), (0, h * 0.86), "screen_8fd0f5", "sky", solid=False)
+    count = 6
     for k in range(count):
-        z = h * 0.78 * (k + 0.3) / count
-        slat = [(-d * 0.4, z + h * 0.1), (-d * 0.34, z + h * 0.112), (d * 0.44, z + h * 0.012), (d * 0.38, z)]
-        b.prism(slat, (-w * 0.48, w * 0.48), b.mat(), part="slats")
-    for x in (-w * 0.36, 0.0, w * 0.36):
-        b.rod((x, d * 0.42, 0), (x, d * 0.42, h * 0.86), 0.003, "fabric_grey", "cords", 5)
-    b.rod((-w * 0.43, d * 0.46, h * 0.0), (-w * 0.43, d * 0.46, h * 0.88), 0.005, "plastic_grey", "wand", 6)
-    b.ball((w * 0.44, d * 0.46, h * 0.08), (0.009, 0.009, h * 0.07), "plastic_grey", "pull", 8)
-    b.rod((w * 0.44, d * 0.46, h * 0.12), (w * 0.44, d * 0.46, h * 0.86), 0.003, "fabric_grey", "pull", 5)
+        z = h * (0.1 + 0.74 * k / count)
+        thick = h * 0.018
+        slat = [(-d * 0.34, z + h * 0.075), (d * 0.2, z), (d * 0.2, z + thick), (-d * 0.34, z + h * 0.075 + thick)]
+        b.prism(slat, (-w * 0.49, w * 0.49), b.mat(), part="slats")
+    b.box((-w * 0.49, w * 0.49), (-d * 0.3, d * 0.24), (h * 0.02, h * 0.09), "plastic_white", "bottom_rail")
+    face = DrawnFace.front(b, d * 0.26)
+    for u in (-w * 0.32, 0.0, w * 0.32):
+        face.field((u - w * 0.012, u + w * 0.012), (h * 0.04, h * 0.86), "fabric_7fa0c0", "tapes", d * 0.04)
+    b.rod((w * 0.42, d * 0.4, h * 0.1), (w * 0.42, d * 0.4, h * 0.88), h * 0.02, "plastic_5a6470", "wand", 8)
+    for x in (-w * 0.43, -w * 0.45):
+        b.rod((x, d * 0.4, h * 0.14), (x, d * 0.4, h * 0.88), h * 0.012, "fabric_5a6470", "cords", 5)
+        b.taper((x, d * 0.4, h * 0.16), (x, d * 0.4, 0.0), (h * 0.02, h * 0.045), "wood_oak", "pull", 10)
