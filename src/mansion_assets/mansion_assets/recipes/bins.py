@@ -131,10 +131,11 @@ def _box(x: tuple[float, float], y: tuple[float, float], z: tuple[float, float])
 
 @recipe("laundry_hamper")
 def laundry_hamper(b: Builder) -> None:
-    """A tall woven basket with a shirt and a sock that hang over its rim, and LAUNDRY on a band of cloth."""
+    """A tall basket of coiled rope with a shirt and a sock that hang over its rim, and LAUNDRY on a band of cloth."""
     w, d, h = b.w, b.d, b.h
     main, t = b.mat(), min(0.012, w * 0.03)
-    x, y, high = w / 2 - 0.012, d / 2 - 0.012, h - 0.012
+    wide = h * 0.036
+    x, y, high = w / 2 - wide, d / 2 - wide, h - 0.012
     dark = "fabric_c2aa7c" if main == "fabric_beige" else "plastic_d0d4d8"
     for side in (-1, 1):
         for wall, across in (((side * x, side * (x - t)), True), ((side * y, side * (y - t)), False)):
@@ -144,47 +145,40 @@ def laundry_hamper(b: Builder) -> None:
     b.box((-x + t, x - t), (-y + t, y - t), (0, 0.012), main, "floor", solid=False)
     _hollow(b, high, t, 0.96)
     for face, half in ((DrawnFace.front(b, y), x), (DrawnFace.side(b, x), y)):
-        _weave(face, half, high, dark)
-        face.field((-half, half), (h * 0.2, h * 0.4), "fabric_f4f0e4", "band", 0.008)
-        face.write("LAUNDRY", (-half * 0.92, half * 0.92), (h * 0.23, h * 0.37), "plastic_1f4f9e", "letters", 0.01)
-    rim = [(-x, -y, high), (x, -y, high), (x, y, high), (-x, y, high), (-x, -y, high)]
-    b.path(rim, 0.012, dark, "rim")
+        face.field((-half, half), (h * 0.2, h * 0.4), "fabric_f4f0e4", "band", high * 0.5 / 13)
+        face.write(
+            "LAUNDRY", (-half * 0.92, half * 0.92), (h * 0.23, h * 0.37), "plastic_1f4f9e", "letters", high * 0.55 / 13
+        )
+    rows = 13
+    for row in range(rows + 1):
+        z = high * (row + 0.5) / (rows + 0.5)
+        coil = [(-x, -y, z), (x, -y, z), (x, y, z), (-x, y, z), (-x, -y, z)]
+        b.path(coil, high * 0.44 / rows if row < rows else 0.012, (main, dark)[row % 2], "coils")
     _hung_shirt(b, y, high)
     _hung_sock(b, x, high)
-
-
-def _weave(face: DrawnFace, half: float, high: float, color: str) -> None:
-    """Short strips of cane, each row before and behind the uprights in turn."""
-    rows, columns = 17, 7
-    for row in range(rows):
-        v = (high * row / rows, high * (row + 0.74) / rows)
-        for column in range(columns + row % 2):
-            u0 = half * (2 * (column - 0.5 * (row % 2)) / columns - 1)
-            u = (max(-half, u0), min(half, u0 + half * 1.76 / columns))
-            face.field(u, v, color, "weave", 0.004)
 
 
 def _hung_shirt(b: Builder, y: float, high: float) -> None:
     """A striped shirt over the front, with its sleeve."""
     w, h, color = b.w, b.h, "fabric_3f8fd8"
-    face = DrawnFace.front(b, y + 0.009)
+    face = DrawnFace.front(b, y + h * 0.033)
     body = (-w * 0.36, w * 0.1)
-    b.box((-body[1], -body[0]), (y - 0.03, y + 0.012), (high - 0.006, h), color, "shirt", solid=False)
+    b.box((-body[1], -body[0]), (y - 0.03, y + h * 0.036), (high - 0.006, h), color, "shirt", solid=False)
     face.field(body, (h * 0.52, high), color, "shirt", 0.003)
     for k in range(3):
         level = h * (0.58 + 0.12 * k)
         face.field(body, (level, level + h * 0.045), "fabric_white", "shirt", 0.0035)
     sleeve = [(w * 0.06, high), (w * 0.26, h * 0.78), (w * 0.2, h * 0.62), (w * 0.04, h * 0.72)]
     outline = [(-u, v) for u, v in sleeve]
-    b.prism(outline, (y + 0.006, y + 0.012), color, "y", "shirt", solid=False)
+    b.prism(outline, (y + h * 0.03, y + h * 0.036), color, "y", "shirt", solid=False)
 
 
 def _hung_sock(b: Builder, x: float, high: float) -> None:
     """A red sock with a white heel and toe over the side."""
     d, h = b.d, b.h
-    face = DrawnFace.side(b, x + 0.008)
+    face = DrawnFace.side(b, x + h * 0.033)
     leg = (-d * 0.18, d * 0.04)
-    b.box((x - 0.03, x + 0.012), leg, (high - 0.006, h), "fabric_d8382e", "sock", solid=False)
+    b.box((x - 0.03, x + h * 0.036), leg, (high - 0.006, h), "fabric_d8382e", "sock", solid=False)
     face.field(leg, (h * 0.62, high), "fabric_d8382e", "sock", 0.004)
     face.field((-d * 0.18, d * 0.2), (h * 0.56, h * 0.68), "fabric_d8382e", "sock", 0.004)
     face.field((d * 0.12, d * 0.22), (h * 0.56, h * 0.68), "fabric_white", "sock", 0.0045)

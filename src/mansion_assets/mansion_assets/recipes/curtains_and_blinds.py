@@ -86,21 +86,34 @@ def ward_curtain(b: Builder) -> None:
 
 @recipe("slatted_blind")
 def slatted_blind(b: Builder) -> None:
-    """Slats below a head box before a window with a blue sky, on broad tapes, with a wand and a cord with tassels."""
+    """A blind half let down before a window: slats on broad tapes below a head box, sky below, a cord with tassels."""
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.86, h), "plastic_white", "box")
-    b.box((-w * 0.49, w * 0.49), (-d / 2, -d * 0.4), (0, h * 0.86), "screen_8fd0f5", "sky", solid=False)
-    count = 6
+    b.box((-w / 2, w / 2), (-d / 2, d * 0.5), (0, h * 0.07), "wood_white", "sill")
+    for x in ((-w / 2, -w * 0.475), (w * 0.475, w / 2), (-w * 0.0125, w * 0.0125)):
+        b.box(x, (-d / 2, -d * 0.3), (0, h * 0.86), "wood_white", "window")
+    b.box((-w * 0.48, w * 0.48), (-d / 2, -d * 0.42), (0, h * 0.86), "screen_5fb4ee", "sky", solid=False)
+    pane = DrawnFace.front(b, -d * 0.42)
+    for u in (-w * 0.3, -w * 0.05, w * 0.22):
+        for k in range(3):
+            at = (u + (k - 1) * h * 0.16, h * (0.2 + 0.03 * (k % 2)))
+            pane.disc(*at, h * (0.07 + 0.03 * (k % 2)), "screen_ffffff", "clouds", d * 0.03, 14)
+    count, low = 3, h * 0.28
+    b.box((-w * 0.47, w * 0.47), (-d * 0.34, -d * 0.28), (low, h * 0.86), "plastic_3a4654", "shade", solid=False)
     for k in range(count):
-        z = h * (0.1 + 0.74 * k / count)
-        thick = h * 0.018
-        slat = [(-d * 0.34, z + h * 0.075), (d * 0.2, z), (d * 0.2, z + thick), (-d * 0.34, z + h * 0.075 + thick)]
-        b.prism(slat, (-w * 0.49, w * 0.49), b.mat(), part="slats")
-    b.box((-w * 0.49, w * 0.49), (-d * 0.3, d * 0.24), (h * 0.02, h * 0.09), "plastic_white", "bottom_rail")
-    face = DrawnFace.front(b, d * 0.26)
-    for u in (-w * 0.32, 0.0, w * 0.32):
-        face.field((u - w * 0.012, u + w * 0.012), (h * 0.04, h * 0.86), "fabric_7fa0c0", "tapes", d * 0.04)
-    b.rod((w * 0.42, d * 0.4, h * 0.1), (w * 0.42, d * 0.4, h * 0.88), h * 0.02, "plastic_5a6470", "wand", 8)
-    for x in (-w * 0.43, -w * 0.45):
-        b.rod((x, d * 0.4, h * 0.14), (x, d * 0.4, h * 0.88), h * 0.012, "fabric_5a6470", "cords", 5)
-        b.taper((x, d * 0.4, h * 0.16), (x, d * 0.4, 0.0), (h * 0.02, h * 0.045), "wood_oak", "pull", 10)
+        z, step = low + (h * 0.86 - low) * k / count, (h * 0.86 - low) / count
+        low_edge, high_edge = (d * 0.3, z + step * 0.3), (-d * 0.26, z + step * 0.76)
+        slat = [
+            high_edge,
+            low_edge,
+            (low_edge[0], low_edge[1] + step * 0.12),
+            (high_edge[0], high_edge[1] + step * 0.12),
+        ]
+        b.prism(slat, (-w * 0.47, w * 0.47), "plastic_f4efe2", part="slats")
+    b.box((-w * 0.47, w * 0.47), (-d * 0.3, d * 0.3), (low - h * 0.05, low + h * 0.02), "plastic_f4efe2", "bottom_rail")
+    face = DrawnFace.front(b, d * 0.32)
+    for u in (-w * 0.3, w * 0.3):
+        face.field((u - w * 0.006, u + w * 0.006), (low - h * 0.04, h * 0.86), "fabric_c9bfa4", "tapes", d * 0.04)
+    for x in (-w * 0.42, -w * 0.45):
+        b.rod((x, d * 0.44, h * 0.2), (x, d * 0.44, h * 0.88), h * 0.012, "fabric_5a6470", "cords", 5)
+        b.taper((x, d * 0.44, h * 0.24), (x, d * 0.44, h * 0.09), (h * 0.02, h * 0.05), "paint_b5563f", "pull", 10)

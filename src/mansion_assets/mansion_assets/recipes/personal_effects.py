@@ -139,17 +139,17 @@ def wallet(b: Builder) -> None:
 
 
 def _cards_in_slots(b: Builder, low: float) -> None:
-    """Four cards one behind the other, each in a slot of leather."""
+    """Three cards one behind the other, each in a slot of leather."""
     w, d, h = b.w, b.d, b.h
-    for k, color in enumerate(("plastic_2f6fc0", "plastic_d8382e", "plastic_f2c12e", "plastic_26272b")):
-        back = -d * 0.34 + d * 0.17 * k
-        z = low + (h - low) * (0.2 + 0.17 * k)
-        b.box((w * 0.06, w * 0.45), (back, back + d * 0.2), (low - h * 0.02, z), color, "cards", solid=False)
+    for k, color in enumerate(("plastic_2f6fc0", "plastic_d8382e", "plastic_f2c12e")):
+        back = -d * 0.34 + d * 0.22 * k
+        z = low + (h - low) * (0.2 + 0.22 * k)
+        b.box((w * 0.06, w * 0.45), (back, back + d * 0.22), (low - h * 0.02, z), color, "cards", solid=False)
         face = DrawnFace.top(b, z)
         face.field((-w * 0.42, -w * 0.34), (-back - d * 0.1, -back - d * 0.04), "metal_f2d98a", "chips", h * 0.03)
         b.box(
             (w * 0.045, w * 0.465),
-            (back + d * 0.12, d * 0.48),
+            (back + d * 0.15, d * 0.48),
             (low - h * 0.02, z + h * 0.04),
             b.mat(),
             "slots",

@@ -256,8 +256,8 @@ def sink_row(b: Builder) -> None:
     _white_lining(b, rim)
     second = -w * 0.3
     _shallow_bowl(b, second, rim)
-    for x in ((bowl.x0 + bowl.x1) / 2, second):
-        soap, y = x + 0.19, back + 0.021
+    y = back + 0.021
+    for soap in (bowl.x0, bowl.x1 - 0.07):
         b.cyl(soap, y, (rim, rim + splash * 0.5), 0.02, "plastic_f08fb0", "soap", n=12, solid=False)
         b.cyl(soap, y, (rim + splash * 0.5, rim + splash * 0.7), 0.007, "plastic_white", "soap", n=8, solid=False)
         b.box(
@@ -270,8 +270,8 @@ def sink_row(b: Builder) -> None:
         )
     spout = [
         (second, back, rim + splash * 0.55),
-        (second, back + 0.028, rim + splash * 0.55),
-        (second, back + 0.028, rim + splash * 0.4),
+        (second, back + 0.017, rim + splash * 0.55),
+        (second, back + 0.017, rim + splash * 0.4),
     ]
     b.path(spout, 0.012, "metal_chrome", "tap")
     for u in (-0.06, 0.06):
@@ -387,7 +387,7 @@ def shower(b: Builder) -> None:
 
 @recipe("shower_head")
 def shower_head(b: Builder) -> None:
-    """A wide rose on a bent arm, water that falls from it, a hand shower on a bar with its hose, a mixer for two taps."""
+    """A wide rose on a bent arm, from which water falls, a hand shower with its hose, a mixer with two taps."""
     w, d, h = b.w, b.d, b.h
     back, main = -d / 2, b.mat()
     r = min(w / 2, d * 0.44)
@@ -442,7 +442,7 @@ def _hand_shower(b: Builder, bar: float) -> None:
         (
             x + (w * 0.44 - x) * math.sin(math.pi * k / 10) * 0.8 - x * k / 10,
             front - (front - bar) * k / 10,
-            h * (0.46 - 0.3 * k / 10) - h * 0.16 * math.sin(math.pi * k / 10),
+            h * (0.46 - 0.3 * k / 10) - h * 0.36 * math.sin(math.pi * k / 10),
         )
         for k in range(11)
     ]

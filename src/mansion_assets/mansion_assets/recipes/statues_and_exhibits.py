@@ -155,14 +155,15 @@ def statuette(b: Builder) -> None:
 def _sitting_dog(b: Builder, z: float) -> None:
     """Haunches, a chest on straight fore legs, a head with hanging ears, a tail round the side."""
     w, d, s, main = b.w, b.d, b.h - z, b.mat()
+    r = min(w * 0.5, d)
     b.ball((-w * 0.14, 0, z + s * 0.24), (w * 0.2, d * 0.36, s * 0.26), main, "body", 14)
-    b.taper((-w * 0.14, 0, z + s * 0.3), (w * 0.1, 0, z + s * 0.66), (d * 0.3, d * 0.2), main, "body", 14)
+    b.taper((-w * 0.14, 0, z + s * 0.3), (w * 0.1, 0, z + s * 0.66), (r * 0.3, r * 0.2), main, "body", 14)
     b.ball((w * 0.08, 0, z + s * 0.52), (w * 0.12, d * 0.25, s * 0.18), main, "body", 12)
     for side in (-1, 1):
         b.taper(
             (w * 0.12, side * d * 0.15, z + s * 0.5),
             (w * 0.18, side * d * 0.16, z),
-            (d * 0.1, d * 0.08),
+            (r * 0.1, r * 0.08),
             main,
             "legs",
             10,
@@ -179,7 +180,7 @@ def _sitting_dog(b: Builder, z: float) -> None:
         (-w * 0.24, d * 0.38, z + s * 0.05),
         (-w * 0.06, d * 0.42, z + s * 0.05),
     ]
-    b.path(tail, d * 0.05, main, "tail")
+    b.path(tail, r * 0.05, main, "tail")
 
 
 def _carved_bust(b: Builder, z: float) -> None:
@@ -188,7 +189,7 @@ def _carved_bust(b: Builder, z: float) -> None:
     foot = [(0.26, z), (0.22, z + s * 0.04), (0.12, z + s * 0.1), (0.2, z + s * 0.2)]
     b.lathe(foot, main, stretch=(w, d), part="foot", n=20)
     b.ball((0, 0, z + s * 0.3), (w * 0.46, d * 0.32, s * 0.16), main, "shoulders", 16)
-    b.taper((0, -d * 0.02, z + s * 0.34), (0, 0, z + s * 0.6), (w * 0.17, w * 0.13), main, "neck", 14)
+    b.taper((0, -d * 0.02, z + s * 0.34), (0, 0, z + s * 0.6), (min(w, d) * 0.17, min(w, d) * 0.13), main, "neck", 14)
     b.ball((0, d * 0.02, z + s * 0.76), (w * 0.21, d * 0.25, s * 0.19), main, "head", 18)
     b.prism(
         [(d * 0.24, z + s * 0.8), (d * 0.36, z + s * 0.71), (d * 0.22, z + s * 0.7)],

@@ -53,7 +53,7 @@ def grab_bar(b: Builder) -> None:
     b.rod((-half, y, z), (half, y, z), r * 1.12, "rubber_d8281e", "grip", 16)
     for k in range(14):
         rib = -half + 2 * half * (k + 0.5) / 14
-        b.rod((rib - half * 0.02, y, z), (rib + half * 0.02, y, z), r * 1.24, "rubber_f4f4f4", "ribs", 16)
+        b.rod((rib - half * 0.02, y, z), (rib + half * 0.02, y, z), r * 1.24, "rubber_8a1812", "ribs", 16)
 
 
 @recipe("paper_hanger")
