@@ -6,7 +6,7 @@ import numpy as np
 
 from mansion_assets.builder import Builder
 from mansion_assets.registry import recipe
-from mansion_assets.solids import Vec3, sheet
+from mansion_assets.solids import sheet
 from mansion_geometry.compiled import Floats
 
 __all__: list[str] = []
@@ -163,34 +163,36 @@ def tomato(b: Builder) -> None:
 
 @recipe("lettuce")
 def lettuce(b: Builder) -> None:
-    """A head of lettuce: rings of frilly leaves with pale stalks, open round a yellow heart."""
+    """A head of lettuce: rings of frilly leaves with pale stalks and ribs, open round a yellow heart."""
     w, d, h = b.w, b.d, b.h
-    b.ball((0, 0, h * 0.3), (w * 0.3, d * 0.3, h * 0.3), "food_dceba0", "heart", 12)
-    rings = ((7, 0.5, 0.62, "food_3f8f2f"), (6, 0.4, 0.84, "food_6fb83f"), (5, 0.24, 1.0, "food_a8d860"))
+    b.ball((0, 0, h * 0.36), (w * 0.27, d * 0.27, h * 0.36), "food_e8f0b0", "heart", 12)
+    rings = ((7, 0.5, 0.6, "food_3f8f2f"), (6, 0.4, 0.82, "food_6fb83f"), (5, 0.27, 1.0, "food_a8d860"))
+    thick = min(w, h) * 0.012
     for number, (count, reach, high, color) in enumerate(rings):
         for k in range(count):
             angle = math.tau * (k + 0.37 * number) / count
-            leaf, thick = _leaf(b, angle, reach, high, count), min(w, h) * 0.012
-            b.raw(*sheet(leaf[:4], thick), "food_d2e8a4", "stalks")
-            b.raw(*sheet(leaf[3:], thick), color, "leaves")
+            leaf = _frilly_leaf(b, angle, (reach, high), 1.5 * math.pi / count, 9)
+            b.raw(*sheet(leaf[:3], thick), "food_d2e8a4", "stalks")
+            b.raw(*sheet(leaf[2:], thick), color, "leaves")
+            rib = _frilly_leaf(b, angle, (reach * 1.03, high), 0.16 * math.pi / count, 2)
+            b.raw(*sheet(rib[2:-1], thick), "food_dff0b8", "ribs")
 
 
-def _leaf_point(b: Builder, angle: float, reach: float, high: float, up: float) -> Vec3:
-    """Return the middle of a leaf at the share `up` of its way from the stalk to the tip."""
-    out = 0.12 + (reach - 0.12) * math.sin(up * math.pi * 0.62)
-    return math.cos(angle) * out * b.w, math.sin(angle) * out * b.d, b.h * high * (0.04 + 0.9 * up**1.3)
+def _frilly_leaf(b: Builder, angle: float, size: tuple[float, float], wide: float, columns: int) -> Floats:
+    """Return the grid of a leaf, (rows, columns, 3), from its stalk upwards: broad at its tip and waved at its edge.
 
-
-def _leaf(b: Builder, angle: float, reach: float, high: float, count: int) -> Floats:
-    """Return the grid of a leaf, (rows, columns, 3): wide and waved at its edge."""
-    rows, columns = 6, 9
+    `size` is how far it reaches out, as a share of the width, and how high, as a share of the height.
+    """
+    rows, (reach, high) = 6, size
     grid = np.empty((rows, columns, 3))
     for i in range(rows):
         up = i / (rows - 1)
-        wide = 1.5 * math.pi / count * math.sin(math.pi * (0.12 + 0.72 * up))
+        half = wide * math.sin(math.pi * (0.14 + 0.56 * up))
         for j in range(columns):
             side = 1 - 2 * j / (columns - 1)
-            wave = math.sin(j * 2.4 + 3 * angle) * up * (0.35 + 0.65 * abs(side))
-            x, y, z = _leaf_point(b, angle + side * wide, reach * (1 + 0.14 * wave), high, up)
-            grid[i, j] = x, y, z - b.h * high * (0.1 * side * side * up + 0.05 * wave)
+            wave = math.sin(j * 2.6 + 3 * angle) * up * up * (0.3 + 0.7 * abs(side))
+            out = (0.12 + (reach - 0.12) * math.sin(up * math.pi * 0.62)) * (1 + 0.2 * wave)
+            turn = angle + side * half
+            level = high * (0.04 + 0.9 * up**1.3 - 0.12 * side * side * up + 0.07 * wave)
+            grid[i, j] = math.cos(turn) * out * b.w, math.sin(turn) * out * b.d, b.h * level
     return grid
