@@ -79,7 +79,7 @@ def _outline(category: str) -> list[tuple[str, int]]:
         ("exam_table", "massage_table"),
         ("lounger", "single_bed"),
         ("medical_screen", "folding_screen"),
-        ("grab_bar", "towel_bar"),
+        ("grab_bar", "towel_holder"),
         ("laundry_hamper", "waste_bin"),
         ("linen_cart", "book_cart"),
         ("display_case", "aquarium"),

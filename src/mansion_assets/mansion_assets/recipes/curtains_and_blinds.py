@@ -114,6 +114,8 @@ def slatted_blind(b: Builder) -> None:
     face = DrawnFace.front(b, d * 0.32)
     for u in (-w * 0.3, w * 0.3):
         face.field((u - w * 0.006, u + w * 0.006), (low - h * 0.04, h * 0.86), "fabric_c9bfa4", "tapes", d * 0.04)
-    for x in (-w * 0.42, -w * 0.45):
-        b.rod((x, d * 0.44, h * 0.2), (x, d * 0.44, h * 0.88), h * 0.012, "fabric_5a6470", "cords", 5)
-        b.taper((x, d * 0.44, h * 0.24), (x, d * 0.44, h * 0.09), (h * 0.02, h * 0.05), "paint_b5563f", "pull", 10)
+    for cord in (-w * 0.42, -w * 0.45):
+        b.rod((cord, d * 0.44, h * 0.2), (cord, d * 0.44, h * 0.88), h * 0.012, "fabric_5a6470", "cords", 5)
+        b.taper(
+            (cord, d * 0.44, h * 0.24), (cord, d * 0.44, h * 0.09), (h * 0.02, h * 0.05), "paint_b5563f", "pull", 10
+        )

@@ -24,7 +24,7 @@ def _vitrine_levels(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
 
 @recipe("vitrine")
 def vitrine(b: Builder) -> None:
-    """Glass case on a base, with bread or fish."""
+    """Glass case on a base; an aquarium where it is filled with water."""
     w, d, h = b.w, b.d, b.h
     base = float(b.p.get("base", min(0.9, h * 0.55)))
     fill, main = b.p.get("fill", "none"), b.mat()
@@ -44,10 +44,11 @@ def vitrine(b: Builder) -> None:
         b.box(
             (-w / 2 + 0.012, w / 2 - 0.012), (-d / 2 + 0.012, d / 2 - 0.012), (z - 0.02, z), main, "boards", solid=False
         )
-        _exhibits(b, str(fill), z, step)
+        _contents(b, str(fill), z, step)
 
 
-def _exhibits(b: Builder, fill: str, z: float, room: float) -> None:
+def _contents(b: Builder, fill: str, z: float, room: float) -> None:
+    """Water with fish."""
     w, d = b.w, b.d
     if fill == "water":
         b.box(
@@ -65,17 +66,6 @@ def _exhibits(b: Builder, fill: str, z: float, room: float) -> None:
                 (0.04, 0.012, 0.02),
                 "paint_orange",
                 "fish",
-                8,
-                solid=False,
-            )
-    elif fill == "bread":
-        for k in range(max(2, int(w / 0.22))):
-            x = -w / 2 + 0.13 + k * 0.22
-            b.ball(
-                (x, 0, z + 0.05),
-                (0.08, min(0.14, d * 0.3), 0.05),
-                ("food_brown", "food_beige")[k % 2],
-                "bread",
                 8,
                 solid=False,
             )
@@ -130,13 +120,8 @@ def _golden_mask(face: DrawnFace, v: float, r: float) -> None:
         face.field((-half, half), (low, high), gold, "mask", 0.016)
     face.field((-r * 0.5, r * 0.5), (v + r * 0.56, v + r * 0.66), blue, "mask", 0.018)
     for side in (-1, 1):
-        face.field(
-            tuple(sorted((side * r * 0.1, side * r * 0.38))),
-            (v + r * 0.1, v + r * 0.24),
-            "plastic_26272b",
-            "eyes",
-            0.019,
-        )
+        inner, outer = sorted((side * r * 0.1, side * r * 0.38))
+        face.field((inner, outer), (v + r * 0.1, v + r * 0.24), "plastic_26272b", "eyes", 0.019)
         face.disc(side * r * 0.24, v + r * 0.17, r * 0.06, "plastic_white", "eyes", 0.021, 10)
     face.field((-r * 0.05, r * 0.05), (v - r * 0.16, v + r * 0.14), "metal_c9922a", "nose", 0.024)
     face.field((-r * 0.16, r * 0.16), (v - r * 0.36, v - r * 0.28), "plastic_8a4a1a", "mouth", 0.019)

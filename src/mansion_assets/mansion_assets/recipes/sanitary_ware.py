@@ -192,6 +192,14 @@ def sink(b: Builder) -> None:
     if splash > 0.05:
         xs = (bowl.x0 + bowl.x1) / 2
         _tap(b, xs, rim, -d / 2 + 0.06, splash)
+        if b.p.get("bowls") == 2:
+            b.rod(
+                (-w * 0.3, -d / 2 + 0.06, rim),
+                (-w * 0.3, -d / 2 + 0.06, rim + splash * 0.7),
+                0.012,
+                "metal_chrome",
+                "tap",
+            )
     elif rim <= 0.5:
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.004), top, "rim", solid=False)
 

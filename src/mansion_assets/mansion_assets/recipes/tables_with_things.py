@@ -121,11 +121,11 @@ def kids_table(b: Builder) -> None:
     DrawnFace.side(b, w / 2).field((-d / 2, d / 2), (h - thick, h - 0.003), colors[1], "rim")
     for k, letter in enumerate("ABC123"):
         column, row = k % 3 - 1, 1 - k // 3
-        u, v = column * w * 0.2, d * (-0.2 + 0.34 * row)
+        across, up = column * w * 0.2, d * (-0.2 + 0.34 * row)
         face.write(
             letter,
-            (u - w * 0.085, u + w * 0.085),
-            (v - d * 0.13, v + d * 0.13),
+            (across - w * 0.085, across + w * 0.085),
+            (up - d * 0.13, up + d * 0.13),
             colors[(k * 3 + 1) % 4],
             "letters",
             _PRINT,
