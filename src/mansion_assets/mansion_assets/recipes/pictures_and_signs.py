@@ -222,11 +222,8 @@ def painting(b: Builder) -> None:
     _border(b, (rim, rim * 1.35), (-d * 0.3, d * 0.2), "metal_d9b45a", "fillet")
     _border(b, (rim * 1.35, rim * 2.3), (-d * 0.3, -d * 0.02), "paper_f4eedd", "mount")
     inner = rim * 2.3
-    shown = [name for name in art() if name != "picture_city"]  # a city by night in a frame passes for a window
-    look = f"{b.mat()} {w:.3f} {h:.3f}"
-    picture = shown[zlib.crc32(look.encode()) % len(shown)]
     x, z = (-w / 2 + inner, w / 2 - inner), (inner, h - inner)
-    b.box(x, (-d * 0.2, -d * 0.05), z, picture, "face", solid=False)
+    b.box(x, (-d * 0.2, -d * 0.05), z, _shown(b, str(b.p.get("face", "art"))), "face", solid=False)
     plate = DrawnFace.front(b, d / 2 - 0.001)
     plate.field((-w * 0.1, w * 0.1), (rim * 0.25, rim * 0.8), "metal_brass", "title", 0.0016)
 
