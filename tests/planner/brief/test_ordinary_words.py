@@ -75,3 +75,22 @@ def test_small_buildings_are_small(brief: str, most: float) -> None:
     program = plan_building(BuildRequest(description=brief)).program
     assert len(program.floors) == 1
     assert program.floors[0].gross_floor_area <= most
+
+
+def test_a_loft_of_a_home_is_a_room_below_the_roof() -> None:
+    kinds = [room.room_type for room in rooms("a cabin with a loft and a sauna")]
+    assert "attic" in kinds
+    assert "apartment" not in kinds
+
+
+def test_a_shop_with_an_apartment_above_is_no_mall() -> None:
+    program = plan_building(
+        BuildRequest(description="a building with a shop downstairs and an apartment upstairs")
+    ).program
+    assert program.building_type == "shop_building"
+
+
+def test_a_cafeteria_that_is_the_building_is_for_guests() -> None:
+    kinds = {room.room_type for room in rooms("a school cafeteria with kitchen and seating for 150 students")}
+    assert {"restaurant", "commercial_kitchen"} <= kinds
+    assert not {"bedroom", "living_room"} & kinds
