@@ -252,6 +252,8 @@ def _upper(b: Builder, x: float, mouth: tuple[float, float], y: tuple[float, flo
         for j in range(n - 1):
             p, q = k * n + j, (k + 1) * n + j
             faces += [(p, p + 1, q + 1), (p, q + 1, q)]
+        left, ahead = k * n, (k + 1) * n
+        faces += [(left, ahead, ahead + n - 1), (left, ahead + n - 1, left + n - 1)]
     toes = (rings - 1) * n
     for j in range(1, n - 1):
         faces += [(0, j + 1, j), (toes, toes + j, toes + j + 1)]
