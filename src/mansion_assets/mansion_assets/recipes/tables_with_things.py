@@ -147,9 +147,9 @@ def coffee_table(b: Builder) -> None:
     shelf = h * 0.24
     b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + 0.03, d / 2 - 0.03), (shelf - 0.02, shelf), b.mat(), "shelf")
     room = h - thick - 0.07 - shelf
-    s = min(w * 0.5, d * 0.55, room * 1.6)
-    _magazines(b, (w * 0.2, d * 0.16, shelf), s)
-    _coffee(b, (-w * 0.2, d * 0.14, shelf), min(s, room * 1.25))
+    s = min(w * 0.52, d * 0.6, room * 1.7)
+    _magazines(b, (w * 0.22, d * 0.14, shelf), s * 0.8)
+    _coffee(b, (-w * 0.19, d * 0.16, shelf), min(s, room * 1.9))
 
 
 def _magazines(b: Builder, at: Vec3, size: float) -> None:
