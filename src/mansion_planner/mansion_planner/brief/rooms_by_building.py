@@ -87,6 +87,8 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, room_type="bedroom", known=False)  # a monk's
     if family == "home" and phrase.name in _SLEPT_IN:
         return replace(phrase, room_type=_SLEPT_IN[phrase.name], known=True)
+    if family == "lodging" and phrase.name in _LET:
+        return replace(phrase, room_type="hotel_room", known=True)
     if family == "home" and phrase.name == "library" and phrase.room_type == "library":
         return replace(phrase, head="room", building="", room_type="library_room", known=True)
     if family == "home" and phrase.room_type == HEAD_TYPES["chamber"] and phrase.name == "chamber":
@@ -124,6 +126,9 @@ _WORKING = frozenset({"office", "industry", "education", "culture", "sport", "re
 
 _SLEPT_IN = {"private_room": "bedroom", "parent_room": "master_bedroom"}
 """Rooms of a home that are to sleep in, and that other buildings have for something else."""
+
+_LET = frozenset({"private_room", "family_room"})
+"""Rooms of a hostel or a refuge that guests have to themselves."""
 
 _INSTRUMENTS = frozenset({"education", "health", "office", ""})
 """Families of buildings whose bays hold instruments and not cars."""

@@ -165,19 +165,16 @@ _AS_NAMED = {"bedroom": ("cabin", "berth", "chamber"), "private_office": ("offic
 """Last words of names for which a room type is what they say, whoever uses the room."""
 
 
-def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase) -> str:
+def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase, family: str) -> str:
     """Say what is planned in the place of a room of which nothing is known, or that is another thing."""
-    told = not room.known and answers_when_told(room.room_type)
-    if told and told_room_type(room.name, knowledge) == room.room_type:
-        return ""
-    if room.name == f"{room.room_type}_room":
+    if stands_in("rooms", room.room_type, room.name, family):
+        return f"planned and furnished like {_spaced(room.room_type)}"
+    if room.known or room.name == f"{room.room_type}_room":
         return ""  # "a kennel room"
-    if not room.known and room.name.endswith(_AS_NAMED.get(room.room_type, ("-",))):
+    told = answers_when_told(room.room_type) and told_room_type(room.name, knowledge) == room.room_type
+    if told or room.name.endswith(_AS_NAMED.get(room.room_type, ("-",))):
         return ""
-    if not room.known:
-        return f"no such room is known; planned and furnished like {_spaced(room.room_type)}"
-    only = stands_in("rooms", room.room_type, room.name)
-    return f"planned and furnished like {_spaced(room.room_type)}" if only else ""
+    return f"no such room is known; planned and furnished like {_spaced(room.room_type)}"
 
 
 def _stand_in_for(wanted: ObjectFact) -> str:
@@ -321,7 +318,7 @@ class _Ledger:
             self.add(kind, span, WishValue(unwanted=name.startswith("no_"), count=counts.get(span)))
 
     def _room(self, room: RoomFact) -> None:
-        reason = _stand_in_of(room, self.knowledge)
+        reason = self._stand_in(room)
         whole = room.area is not None and is_whole(room, self.knowledge)
         area, limit = self._area_of(room)
         name = self._called(room)
@@ -333,10 +330,14 @@ class _Ledger:
         owners = room.count
         for child in room.suite:
             many = None if owners is None else owners * (child.count or 1)
+            reason = self._stand_in(child)
             scope = Scope(floors=self.floors(room.floors), each=room.each, room=room.name, room_type=room.room_type)
             area, limit = self._area_of(child)
             value = WishValue(name=child.name, type=child.room_type, count=many, area=area, limit=limit)
-            self.add("room", child.span, value, scope)
+            self.add("room", child.span, value, scope, reason=reason)
+
+    def _stand_in(self, room: RoomFact) -> str:
+        return _stand_in_of(room, self.knowledge, self.decisions.building.family)
 
     def _called(self, room: RoomFact) -> str:
         """Return a room's name as the brief has it, also where it is the hall that the building is there for."""
@@ -347,7 +348,7 @@ class _Ledger:
         """Add what each unit holds."""
         scope = Scope(floors=self.floors(room.floors), unit=room.name, unit_type=room.room_type)
         for child in room.suite:
-            reason = _stand_in_of(child, self.knowledge)
+            reason = self._stand_in(child)
             area, limit = self._area_of(child)
             value = WishValue(name=child.name, type=child.room_type, count=child.count, area=area, limit=limit)
             self.add("room", child.span, value, scope, reason=reason)
