@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from mansion_planner.brief.area_words import after_area
 from mansion_planner.brief.facts import ObjectFact
-from mansion_planner.brief.furniture_words import usually_in
+from mansion_planner.brief.furniture_words import special_kind, usually_in
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.relation_rooms import Relation
@@ -101,9 +101,25 @@ def _placed_owner(
     listed = reading.word(phrases[room].last) in (",", "and", "or", "nor", ";")
     if room in negated and (number not in negated or listed):
         return None, each  # "excluded: a bar, televisions" are none of each
-    if number in negated and _replaced(reading, phrases, negated, number):
+    if number in negated and (_replaced(reading, phrases, negated, number) or _nowhere(reading, phrases[number])):
         return None, False
     return owner
+
+
+def _nowhere(reading: Reading, phrase: Phrase) -> bool:
+    """Whether furniture is not wanted in any room, whatever room was named before: "no TV anywhere"."""
+    index = phrase.last
+    while index < len(reading.tokens) and not reading.breaks(index) and reading.word(index) not in (",", ")", "("):
+        if reading.words(index, index + 3) in _ANYWHERE:
+            reading.take(index, index + 3)
+            return True
+        if reading.word(index) in ("anywhere", "whatsoever"):
+            return True
+        index += 1
+    return False
+
+
+_ANYWHERE = {("in", "any", "room"), ("in", "the", "house"), ("in", "the", "building"), ("in", "all", "room")}
 
 
 def _furniture(
@@ -126,9 +142,10 @@ def _furniture(
     if last > phrase.last:
         reading.facts.unheeded.append(reading.span(phrase.last, last))
     count = phrase.count and phrase.count * (some or 1)
+    bare = reading.word(phrase.begin) if phrase.noun_end - phrase.begin == 1 and room is not None else ""
     return ObjectFact(
         words=phrase.label,
-        category=phrase.category,
+        category=special_kind(phrase.category, bare, room.room_type) if bare and room is not None else phrase.category,
         span=reading.span(phrase.first, last),
         count=count and count * sets if phrase.counted else people_served(reading, phrases, number) or count,
         room=room.name if room is not None else "",

@@ -66,7 +66,7 @@ _VERBS = frozenset(
     pass raise bring take carry keep let help deserve suit fit belong depend mean build rebuild renovate demolish
     burn leak break outgrow inspire invent exist remain consist regret apologise apologize dispose boast photograph
     hide paint escape dream burst rescue support celebrate gather attend invite host join rejoin recover heal pray
-    perform
+    perform send accept approve refuse concentrate disturb spawn admit
     """.split()
 )
 _PAST = frozenset(
@@ -143,8 +143,9 @@ def is_date_or_age(reading: Reading, index: int) -> bool:
     if token.kind != "number" or value != int(value) or reading.kind(index + 1) == "unit":
         return False
     closes = reading.breaks(index + 1) or after in (",", ")", "and", "but", "so", "when")
-    if _FIRST_YEAR <= value <= _LAST_YEAR and closes and (before in _YEAR_LEADS or before == "("):
-        return True
+    now = before in ("it", "is")
+    if _FIRST_YEAR <= value <= _LAST_YEAR and closes and (before in _YEAR_LEADS or before == "(" or now):
+        return True  # "founded 1987", "no bathroom, it's 1790"
     if before in ("at", "until", "till") and closes and value <= _HOURS:
         return True  # "we open at seven"
     if after in _SPANS:

@@ -142,7 +142,9 @@ def subject_of_building(reading: Reading, phrase: Phrase) -> list[tuple[int, int
     kind = reading.knowledge.buildings.get(phrase.building)
     at_home = kind is not None and kind.family in ("home", "lodging")
     for index in range(phrase.begin, _core(reading, phrase)):
-        if not _is_subject(reading, index) or (at_home and _owns(reading, index)):
+        for_cars = "car" in phrase.building or "garage" in phrase.building
+        vehicle = reading.word(index) == "car" and reading.kind(index - 1) != "number" and not for_cars
+        if not (_is_subject(reading, index) or vehicle) or (at_home and _owns(reading, index)):
             continue
         first = index
         while first > phrase.begin and _joined(reading, first) and reading.kind(first) == "word":
