@@ -101,10 +101,16 @@ _CALLING = frozenset({"call", "dial", "phone", "ring"})
 
 
 def _call(reading: Reading, index: int) -> Iterator[int]:
-    """Yield a number that is dialled: "112 calls", "dial 911"."""
-    calls = reading.word(index - 1) in _CALLING or reading.word(index + 1) == "call"
-    if reading.kind(index) == "number" and calls:
+    """Yield a number that is dialled, with when: "112 calls", "dial 911 when in doubt"."""
+    if reading.kind(index) != "number":
+        return
+    if reading.word(index + 1) == "call":
         yield index
+    elif reading.word(index - 1) in _CALLING and reading.starts(index - 1):
+        end = index + 1
+        while not reading.breaks(end) and end not in reading.taken:
+            end += 1
+        yield from range(index, end)
 
 
 _VERSIONS = frozenset({"draft", "post", "plan", "version", "sketch", "attempt", "idea", "try", "proposal", "message"})

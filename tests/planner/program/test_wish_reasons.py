@@ -1,0 +1,49 @@
+"""The ledger says what is planned in the place of a room or a building that is another thing."""
+
+import pytest
+
+from mansion_msgs_py.request import BuildRequest
+from mansion_planner.plan import plan_building
+
+
+def reasons(text: str) -> dict[str, str]:
+    wishes = plan_building(BuildRequest(description=text)).program.wishes
+    return {wish.text: wish.reason for wish in wishes if wish.kind in ("room", "building_type")}
+
+
+@pytest.mark.parametrize(
+    ("text", "room"),
+    [
+        ("A villa with a car gallery and two bedrooms", "car gallery"),
+        ("A university with a phonetics lab", "phonetics lab"),
+        ("An aquarium with three galleries (coral, jellyfish, freshwater)", "coral"),
+        ("A data centre with a UPS room", "UPS room"),
+        ("A funeral home with a coffin showroom", "coffin showroom"),
+        ("A clinic with a nurse room", "nurse room"),
+        ("A hair salon with two tattoo cabins", "two tattoo cabins"),
+        ("A loft with a single open space of 60 m2", "single open space"),
+        ("A flat with two bedrooms, each with a den", "den"),
+    ],
+)
+def test_a_room_that_stands_in_for_another_is_told_of(text: str, room: str) -> None:
+    assert "planned and furnished like" in reasons(text)[room]
+
+
+@pytest.mark.parametrize(
+    ("text", "room"),
+    [
+        ("A house with a mudroom", "mudroom"),
+        ("A hostel with 6 private rooms and 4 family rooms", "6 private rooms"),
+        ("A museum with an art gallery", "art gallery"),
+        ("A brewery with a barrel room", "barrel room"),
+        ("A veterinary clinic with two theatres", "two theatres"),
+        ("A care home with a living-kitchen", "living-kitchen"),
+        ("A library with a story room", "story room"),
+    ],
+)
+def test_a_room_that_is_what_its_name_says_is_not(text: str, room: str) -> None:
+    assert reasons(text)[room] == ""
+
+
+def test_a_tattoo_studio_is_told_to_be_planned_like_a_hair_salon() -> None:
+    assert "hair salon" in reasons("Tattoo studio, 70 m2")["Tattoo studio"]
