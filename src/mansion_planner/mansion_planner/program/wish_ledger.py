@@ -21,6 +21,7 @@ from mansion_planner.program.furniture_areas import usual_number, usually_has
 from mansion_planner.program.household import is_whole
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.people_rooms import place_requests
+from mansion_planner.program.single_rooms import single_beds
 from mansion_planner.program.storeys import floors_of
 
 __all__ = ["furniture_of", "requested_objects", "wishes_of"]
@@ -51,8 +52,9 @@ def furniture_of(decisions: Decisions, storeys: Sequence[Storey]) -> dict[tuple[
                     category=fact.category, count=count, words=_called(decisions.facts, fact), exact=fact.exact
                 )
             )
-    for place, request in place_requests(decisions, rooms).items():
-        furniture.setdefault(place, []).append(request)
+    for requests in (place_requests(decisions, rooms), single_beds(decisions, rooms)):
+        for place, request in requests.items():
+            furniture.setdefault(place, []).append(request)
     return furniture
 
 
@@ -169,6 +171,8 @@ def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase, family: str) -> str:
     """Say what is planned in the place of a room of which nothing is known, or that is another thing."""
     if stands_in("rooms", room.room_type, room.name, family):
         return f"planned and furnished like {_spaced(room.room_type)}"
+    if "accessible" in room.name.split("_") and "accessible" not in room.room_type:
+        return f"planned and furnished like any {_spaced(room.room_type)}"
     if room.known or room.name == f"{room.room_type}_room":
         return ""  # "a kennel room"
     told = answers_when_told(room.room_type) and told_room_type(room.name, knowledge) == room.room_type
