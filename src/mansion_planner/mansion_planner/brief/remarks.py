@@ -117,8 +117,12 @@ _VERSIONS = frozenset({"draft", "post", "plan", "version", "sketch", "attempt", 
 
 
 def _version(reading: Reading, index: int) -> Iterator[int]:
-    """Yield which version of a text or plan this is: "in the first draft"."""
+    """Yield which version of a text or plan this is: "in the first draft", "at first I wanted", "sorry, wrong form"."""
     if reading.kind(index) == "ordinal" and reading.word(index + 1) in _VERSIONS and index + 1 not in reading.taken:
+        yield from (index, index + 1)
+    elif reading.words(index - 1, index + 1) == ("at", "first") and reading.word(index + 1) not in FLOOR_WORDS:
+        yield index
+    elif reading.words(index, index + 2) in (("wrong", "form"), ("wrong", "list"), ("wrong", "thread")):
         yield from (index, index + 1)
 
 
