@@ -31,6 +31,8 @@ def unread(text: str) -> str:
         "A swimming hall with a learner pool in its own room",
         "Good morning, I look for a house with two bedrooms. Best regards",
         "A flat with two bedrooms. Objects: one piano",
+        "An apartment of five rooms, namely kitchen, living room, bedroom, bathroom and a corridor",
+        "A house with two bedrooms and a lift, at first we wanted a slide. Sorry, wrong form.",
     ],
 )
 def test_remarks_ask_for_nothing(text: str) -> None:
@@ -45,6 +47,7 @@ def test_remarks_ask_for_nothing(text: str) -> None:
         ("A ballet school with two studios and a barre", "barre"),
         ("House from shipping containers", "shipping containers"),
         ("Care home with three households called Rose, Oak and Lake", "Rose"),
+        ("An apartment of six rooms, namely kitchen, living room, bedroom and bathroom", "six"),
         ("A house. The street side is for the shop", "street side"),
     ],
 )

@@ -84,6 +84,7 @@ _MEANT = {
     "boiler plant": "",
     "chiller plant": "",
     "cooling plant": "",
+    "filtration plant": "",
     "heating plant": "",
     "water plant": "",
     "plant": "house_plant",

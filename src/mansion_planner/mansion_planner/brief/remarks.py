@@ -33,6 +33,7 @@ def remark_tokens(reading: Reading) -> Iterator[int]:
         yield from _need(reading, index)
         yield from _clients(reading, index)
         yield from _own_room(reading, index)
+        yield from _sum_of_list(reading, index)
     yield from _elsewhere(reading)
 
 
@@ -202,6 +203,18 @@ def _own_room(reading: Reading, index: int) -> Iterator[int]:
         ("in", "a", "separate"),
     ) or reading.words(index - 2, index) == ("in", "any"):
         yield index
+
+
+def _sum_of_list(reading: Reading, index: int) -> Iterator[int]:
+    """Yield the number of rooms that a sentence then lists, if it lists as many: "five rooms, namely ..."."""
+    told = reading.kind(index) == "number" and reading.word(index + 1) == "room"
+    if not told or reading.word(index + 2) not in (",", ":", "(", "-", "–", "namely"):
+        return
+    ends = [at for at in range(index, len(reading.tokens)) if reading.sentence[at] == reading.sentence[index]]
+    first, last = reading.tokens[index + 1].end, reading.tokens[ends[-1]].end
+    listed = [room.count or 1 for room in reading.facts.rooms if first < room.span.start < last]
+    if sum(listed) == reading.value(index):
+        yield from (index, index + 1)
 
 
 _AWAY = (
