@@ -50,6 +50,8 @@ def test_a_tattoo_studio_is_told_to_be_planned_like_a_hair_salon() -> None:
 
 
 def test_an_accessible_toilet_of_a_list_is_one() -> None:
-    program = plan_building(BuildRequest(description="A station with three toilets: ladies, gents, accessible.")).program
+    program = plan_building(
+        BuildRequest(description="A station with three toilets: ladies, gents, accessible.")
+    ).program
     kinds = [wish.value.type for wish in program.wishes if wish.value.name == "accessible_toilet"]
     assert kinds == ["accessible_toilet"]

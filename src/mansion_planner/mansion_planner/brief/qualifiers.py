@@ -24,7 +24,8 @@ _PROPERTIES = frozenset(
     warm gated movable mobile modular flexible foldable sliding rotating revolving retractable narrow long tall high
     low wide spiral winding straight curved circular round oval octagonal hexagonal triangular domed arched corner
     north south east west northern southern eastern western northeast northwest southeast southwest passive
-    sunken vaulted sustainable solar ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey
+    sunken vaulted
+    sustainable solar ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey
     gray beige turquoise golden medieval baroque futuristic steampunk ancient roman egyptian tudor colonial
     automatic electric smart antique floating shallow deep steep kosher halal antistatic double-height
     """.split()

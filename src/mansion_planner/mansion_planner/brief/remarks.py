@@ -79,7 +79,7 @@ _FIELDS = frozenset({"department", "faculty", "chair", "ministry", "division"})
 
 
 def _subject_studied(reading: Reading, index: int) -> Iterator[int]:
-    """Yield who is at home there, where the kind of building is told apart: "Department of Linguistics, a university"."""
+    """Yield who is at home in a building whose kind is told: "Department of Linguistics, a university"."""
     told = any(span.words for _, span in reading.facts.building)
     if told and reading.word(index) in _FIELDS and reading.word(index + 1) == "of":
         end = index + 2
@@ -144,9 +144,10 @@ _AFFAIRS = frozenset("budget time taste timing schedule money price rent deadlin
 
 def _predicate_of_affair(reading: Reading, index: int) -> Iterator[int]:
     """Yield what is said of the writer's affairs: "my budget is small"."""
-    if reading.word(index) in _AFFAIRS and reading.word(index - 1) in ("my", "our", "the") and reading.word(index + 1) in (
-        "is",
-        "are",
+    if (
+        reading.word(index) in _AFFAIRS
+        and reading.word(index - 1) in ("my", "our", "the")
+        and reading.word(index + 1) in ("is", "are")
     ):
         end = index + 2
         while end < index + 5 and reading.kind(end) == "word" and end not in reading.taken:
@@ -195,13 +196,13 @@ def _is_client(reading: Reading, index: int) -> bool:
     return reading.kind(index) == "word" and index not in reading.taken and (word in _CLIENTS or is_person(word))
 
 
+_OWN = frozenset({("in", "its", "own"), ("in", "their", "own"), ("in", "a", "separate")})
+
+
 def _own_room(reading: Reading, index: int) -> Iterator[int]:
-    """Yield the room that a room is itself, or any room: "a learner pool in its own room", "no rug in any room"."""
-    if reading.word(index) == "room" and reading.words(index - 3, index) in (
-        ("in", "its", "own"),
-        ("in", "their", "own"),
-        ("in", "a", "separate"),
-    ) or reading.words(index - 2, index) == ("in", "any"):
+    """Yield the room that a room is itself, or any: "a learner pool in its own room", "no rug in any room"."""
+    before = reading.words(index - 3, index)
+    if reading.word(index) == "room" and (before in _OWN or before[1:] == ("in", "any")):
         yield index
 
 
@@ -251,6 +252,8 @@ def _tells_of_others(reading: Reading, first: int, last: int) -> bool:
     """Whether nothing was read in a clause, and no word of it belongs to the building."""
     taken = any(at in reading.taken for at in range(first, last))
     ours = {"it", "this", "which", "that", "entrance", "access", "view"}
-    return not taken and ours.isdisjoint(reading.words(first, last)[:1]) and not all(
-        is_idle_word(word) for word in reading.words(first, last)
+    return (
+        not taken
+        and ours.isdisjoint(reading.words(first, last)[:1])
+        and not all(is_idle_word(word) for word in reading.words(first, last))
     )

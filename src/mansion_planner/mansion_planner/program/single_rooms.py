@@ -32,7 +32,9 @@ def single_beds(
         All rooms of the building.
     """
     beds = {object_.room for object_ in decisions.facts.objects if object_.category.endswith("bed")}
-    singles = {fact.name: fact.room_type for fact in decisions.facts.rooms if _is_single(fact) and fact.name not in beds}
+    singles = {
+        fact.name: fact.room_type for fact in decisions.facts.rooms if _is_single(fact) and fact.name not in beds
+    }
     return {
         (storey.index, room.id): RequestedObject(category=_BEDS[room.kind.name], count=1, words="bed", exact=True)
         for storey, room in rooms
