@@ -29,6 +29,8 @@ def unread(text: str) -> str:
         "Dear team, we are planning a research station. A sauna was in the first draft.",
         "Shelter for women with children, two storeys",
         "A swimming hall with a learner pool in its own room",
+        "Hi, my name is Petra and I teach in Graz. A house with a study.",
+        "A house with a kitchen. My brother lives in Oslo and visits in summer.",
         "Good morning, I look for a house with two bedrooms. Best regards",
         "A flat with two bedrooms. Objects: one piano",
         "An apartment of five rooms, namely kitchen, living room, bedroom, bathroom and a corridor",
@@ -53,3 +55,8 @@ def test_remarks_ask_for_nothing(text: str) -> None:
 )
 def test_what_a_building_could_have_is_told_of(text: str, words: str) -> None:
     assert words in unread(text)
+
+
+def test_what_people_do_together_is_no_relation() -> None:
+    text = "A clinic with a pharmacy, and a staff kitchen where shifts eat together."
+    assert read_brief(text, default_knowledge()).adjacent == []

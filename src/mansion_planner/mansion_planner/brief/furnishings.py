@@ -244,6 +244,8 @@ def _unread_place(reading: Reading, phrase: Phrase) -> int:
     while not reading.breaks(last) and reading.kind(last) == "word" and last - index < 5 and last not in reading.taken:
         last += 1
     words = [reading.word(i) for i in range(index + 1, last)]
+    if words == ["each"] and reading.word(index) == "in":
+        return last  # in each of which rooms nobody says
     while words and (words[-1] in FUNCTION_WORDS or words[-1] in ("and", "or")):
         words.pop()
     return index + 1 + len(words) if any(word not in FUNCTION_WORDS for word in words) else index

@@ -22,7 +22,7 @@ _TALK = frozenset(
     hey hi hello quick dear greetings thanks thank cheers please regards sincerely faithfully right okay ok well anyway
     honestly frankly basically actually obviously clearly apparently supposedly incidentally btw fyi eh ah aha hm
     alas yeah yep nope sir madam respect pardon apology sorry bless god heaven word question answer story joke
-    thus indulge leaflet brochure
+    thus indulge leaflet brochure life
     advice opinion idea head how thought kind sort thing stuff matter lot bit bunch example instance fact point case
     detail way why how long reason respect obvious mind heart soul hand eye taste mood feeling feel atmosphere charm
     dream luck nonsense list brief email mail letter message note attachment maths math sum counted above-mentioned

@@ -22,6 +22,7 @@ def remark_tokens(reading: Reading) -> Iterator[int]:
         if index in reading.taken:
             continue
         yield from _far_place(reading, index)
+        yield from _introduction(reading, index)
         yield from _title(reading, index)
         yield from _subject_studied(reading, index)
         yield from _altitude(reading, index)
@@ -63,6 +64,12 @@ def _far_place(reading: Reading, index: int) -> Iterator[int]:
     closes = reading.breaks(index + 1) or reading.word(index + 1) in (",", ":", ")", "with", "for", "and", "in")
     if reading.word(before) in _AT and closes and index > 1:
         yield from range(before, index + 1)
+
+
+def _introduction(reading: Reading, index: int) -> Iterator[int]:
+    """Yield who writes: "my name is Petra"."""
+    if reading.words(index, index + 2) == ("name", "is") and reading.word(index - 1) in ("my", "our"):
+        yield from range(index, index + 3 + _is_name(reading, index + 3))
 
 
 def _title(reading: Reading, index: int) -> Iterator[int]:
