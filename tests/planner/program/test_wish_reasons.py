@@ -55,3 +55,30 @@ def test_an_accessible_toilet_of_a_list_is_one() -> None:
     ).program
     kinds = [wish.value.type for wish in program.wishes if wish.value.name == "accessible_toilet"]
     assert kinds == ["accessible_toilet"]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "words"),
+    [
+        (
+            "A university with a phonetics lab, an anechoic chamber wall to wall with its control room",
+            "adjacent",
+            "chamber",
+        ),
+        (
+            "A school. The carpentry shop has a bench, the hairdressing one ten salon chairs.",
+            "object",
+            "hairdressing one",
+        ),
+    ],
+)
+def test_what_was_not_understood_beside_a_statement_is_told_with_it(text: str, kind: str, words: str) -> None:
+    wishes = plan_building(BuildRequest(description=text)).program.wishes
+    assert any(words in " ".join(wish.value.unheeded) for wish in wishes if wish.kind == kind)
+
+
+def test_an_area_above_ground_leaves_the_basement_out() -> None:
+    text = "An office of seven storeys, 2800 m2 above ground. Below ground: parking."
+    program = plan_building(BuildRequest(description=text)).program
+    assert sum(floor.gross_floor_area for floor in program.floors if floor.index >= 1) == pytest.approx(2800, rel=0.1)
+    assert next(wish.scope.floors for wish in program.wishes if wish.kind == "total_area") == [1, 2, 3, 4, 5, 6, 7]

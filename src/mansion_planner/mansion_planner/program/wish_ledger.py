@@ -12,6 +12,7 @@ from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
 from mansion_planner.brief.bounds import Limit
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, FloorRef, ObjectFact, RoomFact, Span
 from mansion_planner.brief.furniture_words import own_furniture_of
+from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.similarity import told_room_type
 from mansion_planner.brief.sizes import size_bound
 from mansion_planner.program.allocation import MANY
@@ -204,7 +205,7 @@ class _Ledger:
         unread = kind == "unread"
         unheeded = [w.words for w in self.facts.unheeded if span.start <= w.start and w.end <= span.end]
         if unheeded and kind in _QUALIFIED and not value.unwanted:
-            value = msgspec.structs.replace(value, unheeded=unheeded)
+            value = msgspec.structs.replace(value, unheeded=[*value.unheeded, *unheeded])
         wish = Wish(
             id="wish",
             text=text,
@@ -372,7 +373,27 @@ class _Ledger:
             other_type=fact.second,
             door=fact.door,
         )
+        value = msgspec.structs.replace(value, unheeded=self._unread_subject(fact.span))
         self.add(kind, fact.span, value, Scope(each=fact.each))
+
+    def _unread_subject(self, relation: Span) -> list[str]:
+        """Return what was not understood right before a relation's words, which may be about it and not what was read.
+
+        Of "phonetics lab, an anechoic chamber wall to wall with" the chamber is the subject, but in "an archive,
+        windowless and next to" a property stands there.
+        """
+        found = []
+        for span in self.facts.unread:
+            rest = relation.words[span.end - relation.start :].split()
+            inside = relation.start < span.start and span.end < relation.end
+            if inside and rest and rest[0][0].isalpha() and rest[0] != "and" and not is_property(span.words.lower()):
+                found.append(span.words)
+        return found
+
+    def _unread_place(self, wanted: ObjectFact) -> list[str]:
+        """Return what was not understood right before a thing, where it may stand: "the other one ten chairs"."""
+        before = [span.words for span in self.facts.unread if 0 <= wanted.span.start - span.end <= 1]
+        return [words for words in before if not (wanted.excluded or (wanted.room and words.split()[-1] != "one"))]
 
     def _object(self, wanted: ObjectFact) -> None:
         kind: WishKind = "no_object" if wanted.excluded else "object"
@@ -383,6 +404,7 @@ class _Ledger:
             count=None if wanted.excluded else wanted.count,
             unwanted=wanted.excluded,
             exact=wanted.exact and not wanted.excluded,
+            unheeded=self._unread_place(wanted),
         )
         self.add(kind, wanted.span, value, self._place_of(wanted), reason=_stand_in_for(wanted))
 
