@@ -19,7 +19,10 @@ from mansion_planner.brief import read_brief
             "The screening room shouldn't be next to the mocap stage.",
             ["motion_capture_stage", "screening_room"],
         ),
-        ("A clinic with an intensive care unit and a lab. The ICU lies beside the lab.", ["intensive_care_unit", "lab"]),
+        (
+            "A clinic with an intensive care unit and a lab. The ICU lies beside the lab.",
+            ["intensive_care_unit", "lab"],
+        ),
         ("A school with a computer lab and a chemistry lab", ["computer_lab", "chemistry_lab"]),
     ],
 )

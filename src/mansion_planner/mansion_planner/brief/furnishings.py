@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
+from mansion_planner.brief.absences import is_nowhere_wanted
 from mansion_planner.brief.area_words import after_area
 from mansion_planner.brief.facts import ObjectFact
 from mansion_planner.brief.furniture_words import special_kind, usually_in
@@ -101,25 +102,10 @@ def _placed_owner(
     listed = reading.word(phrases[room].last) in (",", "and", "or", "nor", ";")
     if room in negated and (number not in negated or listed):
         return None, each  # "excluded: a bar, televisions" are none of each
-    if number in negated and (_replaced(reading, phrases, negated, number) or _nowhere(reading, phrases[number])):
+    replaced = number in negated and _replaced(reading, phrases, negated, number)
+    if replaced or (number in negated and is_nowhere_wanted(reading, phrases[number])):
         return None, False
     return owner
-
-
-def _nowhere(reading: Reading, phrase: Phrase) -> bool:
-    """Whether furniture is not wanted in any room, whatever room was named before: "no TV anywhere"."""
-    index = phrase.last
-    while index < len(reading.tokens) and not reading.breaks(index) and reading.word(index) not in (",", ")", "("):
-        if reading.words(index, index + 3) in _ANYWHERE:
-            reading.take(index, index + 3)
-            return True
-        if reading.word(index) in ("anywhere", "whatsoever"):
-            return True
-        index += 1
-    return False
-
-
-_ANYWHERE = {("in", "any", "room"), ("in", "the", "house"), ("in", "the", "building"), ("in", "all", "room")}
 
 
 def _furniture(
@@ -337,9 +323,15 @@ _ROOMY = frozenset("big large wide deep high long strong enough is be hold to".s
 _POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her", "your"})
 
 
+_BROUGHT = {("come", "with"), ("arrive", "with"), ("travel", "with")}  # "visitors come with strollers"
+
+
 def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
-    """Whether things are only spoken of: what a lift carries, or "those are for the vehicles"."""
+    """Whether things are only spoken of: what a lift carries, "those are for the vehicles", "I said on the phone"."""
     phrase = phrases[number]
+    before_it = reading.words(phrase.begin - 2, phrase.begin)
+    if before_it in _BROUGHT or (phrase.category == "telephone" and before_it in (("on", "the"), ("over", "the"))):
+        return True
     if reading.word(phrase.first - 1) == "for" and not phrase.counted:
         if phrase.determiner in _POINTS:
             return True
