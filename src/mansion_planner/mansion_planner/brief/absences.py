@@ -1,4 +1,4 @@
-"""Read what is said not to be there in ways of its own: "lifts were unknown", "no balcony, no pergola", "no TV anywhere"."""
+"""Read what is said not to be there in ways of its own: "lifts were unknown then", "no pergola", "no TV anywhere"."""
 
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading

@@ -59,7 +59,8 @@ def aside_tokens(reading: Reading) -> set[int]:
 
 _SITES = frozenset(
     """
-    town village city suburb countryside lake beach plot park neighbourhood neighborhood hill hillside mountain island
+    town village city suburb countryside lake beach seafront waterfront
+    plot park neighbourhood neighborhood hill hillside mountain island
     forest slope coast sea seaside river riverside meadow valley square row road
     """.split()
 )

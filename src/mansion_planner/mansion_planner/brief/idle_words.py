@@ -8,6 +8,7 @@ __all__ = ["is_date_or_age", "is_idle", "is_idle_word"]
 
 _TIMES = frozenset(
     """
+    night
     monday tuesday wednesday thursday friday saturday sunday january february march april june july august september
     october november december spring summer autumn winter season day week weekend fortnight month year decade
     century hour minute morning noon afternoon evening tonight today tomorrow yesterday nowadays now currently soon
@@ -76,7 +77,7 @@ _PAST = frozenset(
     eaten drank drunk sang sung wrote written read taught thought knew known said told heard saw seen met found
     bought sold paid cost spent kept let brought took taken gave given got gotten won lost broke broken burnt built
     rebuilt outgrew outgrown fell fallen drove driven rode ridden flew flown swam swum ran run meant felt held sent
-    set shut hurt
+    set shut hurt changed
     """.split()
 )
 _RESEARCH = frozenset(
@@ -149,7 +150,7 @@ def is_date_or_age(reading: Reading, index: int) -> bool:
         return True  # "founded 1987", "no bathroom, it's 1790"
     if before in ("at", "until", "till") and closes and value <= _HOURS:
         return True  # "we open at seven"
-    if after in _SPANS:
+    if after in _SPANS or after == "h":
         return True  # "in three weeks", "three generations"
     if (
         before in ("over", "almost", "nearly", "past")

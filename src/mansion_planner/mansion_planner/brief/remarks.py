@@ -35,6 +35,7 @@ def remark_tokens(reading: Reading) -> Iterator[int]:
         yield from _clients(reading, index)
         yield from _own_room(reading, index)
         yield from _sum_of_list(reading, index)
+        yield from _sharing(reading, index)
     yield from _elsewhere(reading)
 
 
@@ -60,10 +61,12 @@ def _far_place(reading: Reading, index: int) -> Iterator[int]:
     """Yield the name of a place: "in the Alps", "on Skye"."""
     if not _is_name(reading, index):
         return
-    before = index - 1 - (reading.word(index - 1) == "the")
-    closes = reading.breaks(index + 1) or reading.word(index + 1) in (",", ":", ")", "with", "for", "and", "in")
+    before, end = index - 1 - (reading.word(index - 1) == "the"), index + 1
+    while _is_name(reading, end):
+        end += 1  # "the Black Forest"
+    closes = reading.breaks(end) or reading.word(end) in (",", ":", ")", "with", "for", "and", "in")
     if reading.word(before) in _AT and closes and index > 1:
-        yield from range(before, index + 1)
+        yield from range(before, end)
 
 
 def _introduction(reading: Reading, index: int) -> Iterator[int]:
@@ -134,6 +137,11 @@ def _version(reading: Reading, index: int) -> Iterator[int]:
         yield from (index, index + 1)
 
 
+_OF_DRAWINGS = frozenset(
+    {("in", "the", "drawing"), ("on", "the", "drawing"), ("write", "the", "name"), ("put", "the", "name")}
+)
+
+
 def _label(reading: Reading, index: int) -> Iterator[int]:
     """Yield what is said of names themselves: "label them so", "its own names for rooms", "name it Hotel Schnauz"."""
     word = reading.word(index)
@@ -144,6 +152,8 @@ def _label(reading: Reading, index: int) -> Iterator[int]:
         yield from range(index, end)
     elif word == "name" and reading.words(index + 1, index + 3) == ("for", "room"):
         yield from range(index, index + 3)
+    elif (*reading.words(index - 2, index), word) in _OF_DRAWINGS:
+        yield index
 
 
 _AFFAIRS = frozenset("budget time taste timing schedule money price rent deadline plot site".split())
@@ -223,6 +233,21 @@ def _sum_of_list(reading: Reading, index: int) -> Iterator[int]:
     listed = [room.count or 1 for room in reading.facts.rooms if first < room.span.start < last]
     if sum(listed) == reading.value(index):
         yield from (index, index + 1)
+
+
+_SHARED_WHOLE = frozenset("house flat home building apartment place maisonette".split())
+
+
+def _sharing(reading: Reading, index: int) -> Iterator[int]:
+    """Yield the verb where people share the whole, or what was named: "we share a house", "a kitchen we share"."""
+    if reading.word(index) != "share":
+        return
+    whole = reading.word(index + 1) in ("a", "the", "this", "our") and reading.word(index + 2) in _SHARED_WHOLE
+    named = reading.word(index - 1) in ("we", "they") and (reading.breaks(index + 1) or reading.word(index + 1) == ",")
+    if whole or named:
+        yield index
+    if whole and index + 2 not in reading.taken:
+        yield index + 2
 
 
 _AWAY = (
