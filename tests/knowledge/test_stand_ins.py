@@ -5,7 +5,7 @@ import pytest
 from mansion_assets.catalogue import load_catalogue
 from mansion_knowledge import default_knowledge
 from mansion_knowledge.object_qualities import has_quality
-from mansion_knowledge.stand_ins import StandInKind, _stand_ins, stands_in
+from mansion_knowledge.stand_ins import StandInKind, _stand_ins, is_for_another_subject, stands_in
 
 
 def test_every_type_is_known() -> None:
@@ -13,7 +13,7 @@ def test_every_type_is_known() -> None:
     assert set(listed.rooms) <= set(known.rooms)
     assert set(listed.buildings) <= set(known.buildings)
     assert set(listed.objects) <= set(load_catalogue().categories)
-    assert set(listed.told["rooms"]) <= set(known.rooms)
+    assert set(listed.told["rooms"]) | set(listed.usual) | set(listed.subjects) <= set(known.rooms)
 
 
 @pytest.mark.parametrize(
@@ -24,6 +24,11 @@ def test_every_type_is_known() -> None:
         ("rooms", "garage", "carport", True),
         ("rooms", "garage", "double_garage", False),
         ("rooms", "prayer_room", "quiet_room", True),
+        ("rooms", "vip_room", "private room", True),
+        ("rooms", "vip_room", "vip lounge", False),
+        ("rooms", "electrical_room", "ups_room", True),
+        ("rooms", "utility_room", "mudroom", False),
+        ("buildings", "hair_salon", "tattoo studio", True),
         ("buildings", "shop_building", "Flower shop", True),
         ("buildings", "shop_building", "bookshop", False),
         ("buildings", "nightclub", "brewpub", True),
@@ -32,6 +37,29 @@ def test_every_type_is_known() -> None:
 )
 def test_a_type_stands_in_for_some_names(kind: StandInKind, type_: str, name: str, only: bool) -> None:
     assert stands_in(kind, type_, name) is only
+
+
+def test_some_names_are_the_type_in_buildings_of_its_kind() -> None:
+    assert stands_in("rooms", "open_office", "open_space", "home")
+    assert not stands_in("rooms", "open_office", "open_space", "office")
+
+
+@pytest.mark.parametrize(
+    ("room_type", "noun", "word", "other"),
+    [
+        ("gallery", "gallery", "car", True),
+        ("gallery", "gallery", "sculpture", False),
+        ("laboratory", "lab", "phonetics", True),
+        ("laboratory", "lab", "wet", False),
+        ("stage", "stage", "mocap", True),
+        ("showroom", "showroom", "coffin", True),
+        ("bedroom", "bedroom", "car", False),
+    ],
+)
+def test_rooms_about_something_have_furniture_for_some_subjects(
+    room_type: str, noun: str, word: str, other: bool
+) -> None:
+    assert is_for_another_subject(room_type, noun, word) is other
 
 
 @pytest.mark.parametrize(

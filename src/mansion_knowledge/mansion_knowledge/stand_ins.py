@@ -8,9 +8,14 @@ import msgspec
 
 from mansion_msgs_py.codec import prepared
 
-__all__ = ["StandInKind", "answers_when_told", "stands_in"]
+__all__ = ["StandInKind", "answers_when_told", "is_for_another_subject", "stands_in"]
 
 StandInKind: TypeAlias = Literal["rooms", "buildings", "objects"]
+
+
+class _Subjects(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    nouns: list[str]
+    shown: list[str]
 
 
 class _StandIns(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -18,6 +23,8 @@ class _StandIns(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     buildings: dict[str, list[str]]
     objects: dict[str, list[str]]
     told: dict[str, list[str]]
+    usual: dict[str, list[str]]
+    subjects: dict[str, _Subjects]
 
 
 @cache
@@ -26,7 +33,7 @@ def _stand_ins() -> _StandIns:
     return msgspec.toml.decode(text, type=prepared(_StandIns))
 
 
-def stands_in(kind: StandInKind, type_: str, name: str) -> bool:
+def stands_in(kind: StandInKind, type_: str, name: str, family: str = "") -> bool:
     """Whether a type only stands in the place of what a name says.
 
     Parameters
@@ -36,6 +43,8 @@ def stands_in(kind: StandInKind, type_: str, name: str) -> bool:
         Room type, building type or category of objects.
     name : str
         What people call it, in the singular, in snake case or words.
+    family : str
+        That of the building a room is in: the open space of an office is an open office, that of a home is none.
 
     Examples
     --------
@@ -44,6 +53,8 @@ def stands_in(kind: StandInKind, type_: str, name: str) -> bool:
     >>> stands_in("rooms", "garage", "double_carport"), stands_in("rooms", "garage", "garage")
     (True, False)
     """
+    if kind == "rooms" and family in _stand_ins().usual.get(type_, ()):
+        return False
     words = name.lower().replace("_", " ").replace("-", " ").split()
     known: dict[str, list[str]] = getattr(_stand_ins(), kind)
     return any(words[-len(other.split()) :] == other.split() for other in known.get(type_, ()))
@@ -58,3 +69,15 @@ def answers_when_told(room_type: str) -> bool:
     (True, False)
     """
     return room_type in _stand_ins().told["rooms"]
+
+
+def is_for_another_subject(room_type: str, noun: str, word: str) -> bool:
+    """Whether a word before the noun of a room's name is about what the furniture of its type has nothing of.
+
+    Examples
+    --------
+    >>> is_for_another_subject("gallery", "gallery", "jellyfish"), is_for_another_subject("gallery", "gallery", "art")
+    (True, False)
+    """
+    known = _stand_ins().subjects.get(room_type)
+    return known is not None and noun in known.nouns and word not in known.shown

@@ -5,7 +5,7 @@ import pytest
 
 from mansion_bringup.building.receipt import receipt
 from mansion_bringup.check.wishes import check_wishes
-from mansion_msgs_py.scene import Discard, FloorScene
+from mansion_msgs_py.scene import Discard, Door, FloorScene
 from mansion_msgs_py.wishes import Scope, Wish, WishStatus, WishValue
 from wish_house import building, layouts, program, scenes, wish
 
@@ -61,3 +61,37 @@ def test_a_room_of_a_kind_that_is_not_known_says_what_it_is_furnished_as_even_wh
     told = receipt([asked], program([asked]), without("office_chair"))[0]
     assert told.status == "partly"
     assert told.reason == f"{asked.reason}; F2/pottery has no seat"
+
+
+OPEN = wish("room", WishValue(name="kitchen", type="open_kitchen", count=1))
+
+
+@pytest.mark.parametrize(("beyond", "status"), [("living_room", "met"), ("hallway", "partly")])
+def test_an_open_kitchen_is_open_to_a_room_that_is_no_passage(beyond: str, status: WishStatus) -> None:
+    ground, upper = scenes()
+    kinds = {"F1/kitchen": "open_kitchen", "F1/hallway": beyond}
+    rooms = [msgspec.structs.replace(room, room_type=kinds.get(room.id, room.room_type)) for room in ground.rooms]
+    sides, segment = ("F1/kitchen", "F1/hallway"), ((2, 1), (2, 3))
+    opening = Door(id="door_9", kind="open", segment=segment, rooms=sides, width=2, height=2)
+    floors = [msgspec.structs.replace(ground, rooms=rooms, doors=[opening]), upper]
+    told = receipt([OPEN], program([OPEN]), floors)
+    assert told[0].status == status
+    assert list(check_wishes(building(program([OPEN]), told), told, layouts(floors), floors)) == []
+
+
+@pytest.mark.parametrize(("refused", "status"), [("private_office", "met"), ("bedroom", "not_met")])
+def test_a_refused_kind_is_refused_under_all_its_types(refused: str, status: WishStatus) -> None:
+    none = wish("no_room", WishValue(name=refused, type=refused, unwanted=True))
+    floors = [
+        msgspec.structs.replace(
+            scene,
+            rooms=[
+                msgspec.structs.replace(r, room_type="guest_room" if r.id == "F1/kitchen" else r.room_type)
+                for r in scene.rooms
+            ],
+        )
+        for scene in scenes()
+    ]
+    told = receipt([none], program([none]), floors)
+    assert told[0].status == status
+    assert list(check_wishes(building(program([none]), told), told, layouts(floors), floors)) == []

@@ -193,3 +193,31 @@ def test_the_bar_of_a_room_to_sit_in_is_its_counter(room: str) -> None:
 @pytest.mark.parametrize("rooms", ["lounge, a bar and a kitchen", "lounge and a bar", "foyer with bar"])
 def test_a_bar_beside_other_rooms_is_a_room(rooms: str) -> None:
     assert "bar" in {fact.room_type for fact in read_brief(f"A hotel with a {rooms}.", default_knowledge()).rooms}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A house with four bedrooms. And forget the sauna I mentioned on the phone.",
+        "A library with a lift; many visitors come with strollers.",
+    ],
+)
+def test_things_that_are_only_spoken_of_are_not_wanted(text: str) -> None:
+    assert read_brief(text, default_knowledge()).objects == []
+
+
+@pytest.mark.parametrize(
+    ("text", "room"),
+    [
+        ("A flat with two bedrooms. One bed per bedroom, no TV anywhere.", ""),
+        ("A flat with two bedrooms, without a TV in the bedrooms.", "bedroom"),
+    ],
+)
+def test_what_is_wanted_nowhere_is_wanted_in_no_room(text: str, room: str) -> None:
+    refused = [wanted for wanted in read_brief(text, default_knowledge()).objects if wanted.excluded]
+    assert [wanted.room for wanted in refused] == [room]
+
+
+def test_racks_of_a_server_room_are_server_racks() -> None:
+    wanted = read_brief("A data centre with two data halls of 24 racks each", default_knowledge()).objects
+    assert [entry.category for entry in wanted] == ["server_rack"]

@@ -34,6 +34,7 @@ def unread(text: str) -> str:
         ("a haunted manor", ["haunted"]),
         ("a medieval tavern", ["medieval"]),
         ("a cabin with a wood stove in the main nook", ["in the main nook"]),
+        ("a house with a sauna, a gym; a wooden bench in each", ["in each"]),
     ],
 )
 def test_properties_that_nothing_is_made_of_are_kept(text: str, words: list[str]) -> None:

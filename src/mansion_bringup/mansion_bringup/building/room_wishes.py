@@ -7,6 +7,7 @@ from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
 from mansion_bringup.building.verdicts import Judge, Verdict, keeps_to, listed, met_if, spoken
+from mansion_knowledge.room_kinds import is_one_of
 from mansion_msgs_py.wishes import Wish
 
 __all__ = ["ROOM_JUDGES"]
@@ -59,8 +60,19 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
             sizes = ", ".join(f"{room.area:.3g}" for room in rooms[:4])
             return Verdict("partly", f"{sizes} m2 instead of {_BOUNDS[value.limit]}{value.area:.3g} m2", ids)
-    lack = _unusable(rooms, state)
+    lack = _unusable(rooms, state) or _shut_off(rooms, state)
     return met_if(not lack, lack, partly=True, rooms=ids)
+
+
+def _shut_off(rooms: Sequence[JudgedRoom], state: JudgedBuilding) -> str:
+    """Say which open kitchen is reached from a passage alone; empty where each is open to another room.
+
+    A plan has no doors yet but those that rooms are reached by, so that of its kitchens nothing is said.
+    """
+    others = [room for room in state.rooms if room.type not in _WAYS]
+    kitchens = [room for room in rooms if room.type == "open_kitchen" and not state.planned]
+    shut = [room for room in kitchens if not any(state.joined(room, other) for other in others)]
+    return f"{shut[0].full_id} is open to no other room" if shut else ""
 
 
 def _may_be_more(wish: Wish) -> bool:
@@ -157,7 +169,7 @@ def _no_room(wish: Wish, state: JudgedBuilding) -> Verdict:
     rooms = [
         room
         for room in state.rooms
-        if room.type == wish.value.type and (not wish.scope.floors or room.floor in wish.scope.floors)
+        if is_one_of(room.type, wish.value.type) and (not wish.scope.floors or room.floor in wish.scope.floors)
     ]
     return met_if(not rooms, f"{rooms[0].full_id if rooms else ''} is one", rooms=[room.full_id for room in rooms])
 

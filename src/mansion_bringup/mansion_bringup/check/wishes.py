@@ -20,6 +20,7 @@ from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import answers
 from mansion_knowledge.places import places_of, use_of
+from mansion_knowledge.room_kinds import is_one_of
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.program import GROUND_FLOOR
@@ -222,7 +223,20 @@ def _room(wish: Wish, finished: FinishedBuilding) -> str:
         or _lacks_its_own(wish, finished, rooms)
         or _wrong_areas(wish, finished, rooms, several=len(alike) > 1)
         or _idle(finished, rooms)
+        or _closed(finished, rooms)
     )
+
+
+def _closed(finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
+    """Say which open kitchen has no door and no opening but to passages and the outside."""
+    for floor, kitchen in rooms:
+        if kitchen.room_type != "open_kitchen":
+            continue
+        passages = {room.id for room in finished.on(floor).rooms if room.room_type in PASSAGES}
+        doors = [set(door.rooms) - {kitchen.id, None} for door in finished.on(floor).doors if kitchen.id in door.rooms]
+        if not any(beyond - passages for beyond in doors):
+            return f"{kitchen.id} opens to passages alone"
+    return ""
 
 
 def _miscounted(wish: Wish, rooms: Sequence[tuple[int, SceneRoom]], alike: Sequence[int | None]) -> str:
@@ -336,7 +350,7 @@ def _as_large(area: float, wanted: float) -> bool:
 def _no_room(wish: Wish, finished: FinishedBuilding) -> str:
     if wish.value.type == "basement":
         return "" if len(finished.above) == len(finished.scenes) else "it has a basement"
-    there = [room.id for _, room in finished.rooms(wish.scope.floors) if room.room_type == wish.value.type]
+    there = [room.id for _, room in finished.rooms(wish.scope.floors) if is_one_of(room.room_type, wish.value.type)]
     return f"{there[0]} is one" if there else ""
 
 

@@ -1,10 +1,10 @@
-"""Read what a brief says not to be there in ways of its own: "lifts were unknown then", "no balcony, no pergola"."""
+"""Read what is said not to be there in ways of its own: "lifts were unknown then", "no pergola", "no TV anywhere"."""
 
-from mansion_planner.brief.phrase import FUNCTION_WORDS
+from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.similarity import elliptic_room_type
 
-__all__ = ["absence_end", "read_absent_parts", "time_end"]
+__all__ = ["absence_end", "is_nowhere_wanted", "read_absent_parts", "time_end"]
 
 _COPULAS = frozenset("is are was were be been had have has do does did could can".split())
 _NEVER = frozenset({"not", "never"})
@@ -72,3 +72,19 @@ def read_absent_parts(reading: Reading) -> None:
             first = denied if index - denied < 12 else index
             reading.facts.excluded.append((known, reading.span(first, index + 1)))
             reading.take(index, index + 1)
+
+
+def is_nowhere_wanted(reading: Reading, phrase: Phrase) -> bool:
+    """Whether furniture is not wanted in any room, whatever room was named before: "no TV anywhere"."""
+    index = phrase.last
+    while index < len(reading.tokens) and not reading.breaks(index) and reading.word(index) not in (",", ")", "("):
+        if reading.words(index, index + 3) in _ANYWHERE:
+            reading.take(index, index + 3)
+            return True
+        if reading.word(index) in ("anywhere", "whatsoever"):
+            return True
+        index += 1
+    return False
+
+
+_ANYWHERE = {("in", "any", "room"), ("in", "the", "house"), ("in", "the", "building"), ("in", "all", "room")}

@@ -9,6 +9,7 @@ from mansion_planner.brief.idle_clauses import WISHES, idle_clauses, says_how
 from mansion_planner.brief.persons import COLLECTIVES, ROBOTS, is_person
 from mansion_planner.brief.phrase import FUNCTION_WORDS
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.remarks import remark_tokens
 
 __all__ = ["TRIALS", "aside_tokens"]
 
@@ -36,7 +37,7 @@ def aside_tokens(reading: Reading) -> set[int]:
     "On one floor because my knees are bad", "for our navigation benchmark", "an office for the librarian". Where a
     reason holds a statement ("because we want a lift") its other words are told of as well.
     """
-    found: set[int] = set(idle_clauses(reading))
+    found: set[int] = {*idle_clauses(reading), *remark_tokens(reading)}
     for index in range(len(reading.tokens)):
         word = reading.word(index)
         if word in _REASONS:
@@ -58,7 +59,8 @@ def aside_tokens(reading: Reading) -> set[int]:
 
 _SITES = frozenset(
     """
-    town village city suburb countryside lake beach plot park neighbourhood neighborhood hill hillside mountain island
+    town village city suburb countryside lake beach seafront waterfront
+    plot park neighbourhood neighborhood hill hillside mountain island
     forest slope coast sea seaside river riverside meadow valley square row road
     """.split()
 )

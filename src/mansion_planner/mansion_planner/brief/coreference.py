@@ -38,6 +38,10 @@ def coreferences(
     )
     for number in rooms:
         phrase = phrases[number]
+        long = next((n for n in rooms if n < number and _is_short_for(reading, phrase, phrases[n])), None)
+        if long is not None:
+            same[number] = long
+            continue
         several = _one_of_several(reading, phrases, rooms, number, named)
         if several is not None:
             same[number] = several
@@ -61,6 +65,20 @@ class _Relations:
     lefts: frozenset[int]
     rights: frozenset[int]
     apart: frozenset[int]
+
+
+def _is_short_for(reading: Reading, phrase: Phrase, other: Phrase) -> bool:
+    """Whether a name is another one in short: "a network operations centre (NOC)", "the mocap stage"."""
+    again = reading.word(phrase.first - 1) == "(" or phrase.determiner in _DEFINITE or phrase.label.isupper()
+    words, others = phrase.name.split("_"), other.name.split("_")
+    if not again or phrase.counted or len(others) < 2:
+        return False
+    if len(words) == 1:
+        return words[0] == "".join(word[0] for word in others if word)
+    short, last = words[0], (words[-1], others[-1])
+    halves = [(short[:at], short[at:]) for at in range(2, len(short) - 1)]
+    blended = any(others[0].startswith(one) and others[1].startswith(two) for one, two in halves)
+    return len(words) == 2 and len(others) == 3 and last[0] == last[1] and blended
 
 
 def _one_of_several(

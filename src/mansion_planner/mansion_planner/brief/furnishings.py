@@ -5,9 +5,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
+from mansion_planner.brief.absences import is_nowhere_wanted
 from mansion_planner.brief.area_words import after_area
 from mansion_planner.brief.facts import ObjectFact
-from mansion_planner.brief.furniture_words import usually_in
+from mansion_planner.brief.furniture_words import special_kind, usually_in
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.relation_rooms import Relation
@@ -101,7 +102,8 @@ def _placed_owner(
     listed = reading.word(phrases[room].last) in (",", "and", "or", "nor", ";")
     if room in negated and (number not in negated or listed):
         return None, each  # "excluded: a bar, televisions" are none of each
-    if number in negated and _replaced(reading, phrases, negated, number):
+    replaced = number in negated and _replaced(reading, phrases, negated, number)
+    if replaced or (number in negated and is_nowhere_wanted(reading, phrases[number])):
         return None, False
     return owner
 
@@ -127,9 +129,10 @@ def _furniture(
     if last > phrase.last:
         reading.facts.unheeded.append(reading.span(phrase.last, last))
     count = phrase.count and phrase.count * (some or 1)
+    bare = reading.word(phrase.begin) if phrase.noun_end - phrase.begin == 1 and room is not None else ""
     return ObjectFact(
         words=phrase.label,
-        category=phrase.category,
+        category=special_kind(phrase.category, bare, room.room_type) if bare and room is not None else phrase.category,
         span=reading.span(phrase.first, last),
         count=rows or (count and count * sets if phrase.counted else people_served(reading, phrases, number) or count),
         room=room.name if room is not None else "",
@@ -239,6 +242,8 @@ def _unread_place(reading: Reading, phrase: Phrase) -> int:
     while not reading.breaks(last) and reading.kind(last) == "word" and last - index < 5 and last not in reading.taken:
         last += 1
     words = [reading.word(i) for i in range(index + 1, last)]
+    if words == ["each"] and reading.word(index) == "in":
+        return last  # in each of which rooms nobody says
     while words and (words[-1] in FUNCTION_WORDS or words[-1] in ("and", "or")):
         words.pop()
     return index + 1 + len(words) if any(word not in FUNCTION_WORDS for word in words) else index
@@ -330,9 +335,15 @@ _ROOMY = frozenset("big large wide deep high long strong enough is be hold to".s
 _POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her", "your"})
 
 
+_BROUGHT = {("come", "with"), ("arrive", "with"), ("travel", "with")}  # "visitors come with strollers"
+
+
 def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
-    """Whether things are only spoken of: what a lift carries, or "those are for the vehicles"."""
+    """Whether things are only spoken of: what a lift carries, "those are for the vehicles", "I said on the phone"."""
     phrase = phrases[number]
+    before_it = reading.words(phrase.begin - 2, phrase.begin)
+    if before_it in _BROUGHT or (phrase.category == "telephone" and before_it in (("on", "the"), ("over", "the"))):
+        return True
     if reading.word(phrase.first - 1) == "for" and not phrase.counted:
         if phrase.determiner in _POINTS:
             return True

@@ -10,7 +10,7 @@ from mansion_msgs_py.late_imports import importing
 if TYPE_CHECKING:
     from mansion_assets.catalogue import Catalogue
 
-__all__ = ["furniture_of", "furniture_vocabulary", "own_furniture_of", "usually_in"]
+__all__ = ["furniture_of", "furniture_vocabulary", "own_furniture_of", "special_kind", "usually_in"]
 
 
 def furniture_of(words: tuple[str, ...]) -> tuple[str, int]:
@@ -83,6 +83,9 @@ _MEANT = {
     "power plant": "",
     "boiler plant": "",
     "chiller plant": "",
+    "cooling plant": "",
+    "filtration plant": "",
+    "heating plant": "",
     "water plant": "",
     "plant": "house_plant",
     "computer": "computer_tower",
@@ -159,6 +162,22 @@ def _held(catalogue: "Catalogue", room_type: str) -> frozenset[str]:
 def usually_in(category: str, room_type: str) -> bool:
     """Whether rooms of a type are usually furnished with pieces of a category."""
     return category in _held(_present_catalogue(), room_type)
+
+
+def special_kind(category: str, noun: str, room_type: str) -> str:
+    """Return what a bare noun means in a room: the racks of a server room are server racks.
+
+    That is the category of the room's usual furniture that the noun is the last word of, where there is one such.
+
+    Examples
+    --------
+    >>> special_kind("metal_shelf", "rack", "server_room"), special_kind("metal_shelf", "rack", "storage")
+    ('server_rack', 'metal_shelf')
+    """
+    if not category or category.endswith(noun):
+        return category
+    found = [other for other in _held(_present_catalogue(), room_type) if other.endswith(f"_{noun}")]
+    return found[0] if len(found) == 1 else category
 
 
 def _key(phrase: str) -> tuple[str, ...]:

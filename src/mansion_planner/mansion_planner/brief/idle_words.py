@@ -8,6 +8,7 @@ __all__ = ["is_date_or_age", "is_idle", "is_idle_word"]
 
 _TIMES = frozenset(
     """
+    night
     monday tuesday wednesday thursday friday saturday sunday january february march april june july august september
     october november december spring summer autumn winter season day week weekend fortnight month year decade
     century hour minute morning noon afternoon evening tonight today tomorrow yesterday nowadays now currently soon
@@ -22,6 +23,7 @@ _TALK = frozenset(
     hey hi hello quick dear greetings thanks thank cheers please regards sincerely faithfully right okay ok well anyway
     honestly frankly basically actually obviously clearly apparently supposedly incidentally btw fyi eh ah aha hm
     alas yeah yep nope sir madam respect pardon apology sorry bless god heaven word question answer story joke
+    thus indulge leaflet brochure life
     advice opinion idea head how thought kind sort thing stuff matter lot bit bunch example instance fact point case
     detail way why how long reason respect obvious mind heart soul hand eye taste mood feeling feel atmosphere charm
     dream luck nonsense list brief email mail letter message note attachment maths math sum counted above-mentioned
@@ -66,7 +68,7 @@ _VERBS = frozenset(
     pass raise bring take carry keep let help deserve suit fit belong depend mean build rebuild renovate demolish
     burn leak break outgrow inspire invent exist remain consist regret apologise apologize dispose boast photograph
     hide paint escape dream burst rescue support celebrate gather attend invite host join rejoin recover heal pray
-    perform
+    perform send accept approve refuse concentrate disturb spawn admit
     """.split()
 )
 _PAST = frozenset(
@@ -75,7 +77,7 @@ _PAST = frozenset(
     eaten drank drunk sang sung wrote written read taught thought knew known said told heard saw seen met found
     bought sold paid cost spent kept let brought took taken gave given got gotten won lost broke broken burnt built
     rebuilt outgrew outgrown fell fallen drove driven rode ridden flew flown swam swum ran run meant felt held sent
-    set shut hurt
+    set shut hurt changed
     """.split()
 )
 _RESEARCH = frozenset(
@@ -143,11 +145,12 @@ def is_date_or_age(reading: Reading, index: int) -> bool:
     if token.kind != "number" or value != int(value) or reading.kind(index + 1) == "unit":
         return False
     closes = reading.breaks(index + 1) or after in (",", ")", "and", "but", "so", "when")
-    if _FIRST_YEAR <= value <= _LAST_YEAR and closes and (before in _YEAR_LEADS or before == "("):
-        return True
+    now = before in ("it", "is")
+    if _FIRST_YEAR <= value <= _LAST_YEAR and closes and (before in _YEAR_LEADS or before == "(" or now):
+        return True  # "founded 1987", "no bathroom, it's 1790"
     if before in ("at", "until", "till") and closes and value <= _HOURS:
         return True  # "we open at seven"
-    if after in _SPANS:
+    if after in _SPANS or after == "h":
         return True  # "in three weeks", "three generations"
     if (
         before in ("over", "almost", "nearly", "past")

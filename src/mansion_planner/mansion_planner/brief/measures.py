@@ -41,8 +41,12 @@ _LEAVING_OUT = (
 
 
 def _leave_out_basement(reading: Reading, measure: Measure) -> int:
-    """Record and take "without the basement" after an area; return where the next one may begin."""
+    """Record and take "without the basement" or "above ground" after an area; return where the next one may begin."""
     start = measure.last + (reading.word(measure.last) in (",", "("))
+    if reading.words(start, start + 2) in (("above", "ground"), ("above", "grade")):
+        reading.take(measure.last, start + 2)
+        reading.facts.above_ground.append(reading.span(measure.first, start + 2))
+        return start + 2
     for words in sorted(_LEAVING_OUT, key=len, reverse=True):
         at = start + len(words)
         at += reading.word(at) in ("the", "a", "its")

@@ -130,9 +130,15 @@ def _owners(reading: Reading, phrases: list[Phrase], before: list[int], index: i
     return pair if whose and joined else []
 
 
+_COMPANY = frozenset("eat dine cook work sit live play learn meet sleep talk relax study sing read dance".split())
+"""What people do together, rather than rooms."""
+
+
 def mutual_relation(
     reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int
 ) -> Relation | None:
+    if reading.word(index) == "together" and reading.word(index - 1) in _COMPANY:
+        return None  # "a kitchen where the shifts eat together"
     before = rooms_in_sentence(reading, phrases, rooms, index, before=True)
     if not before:
         return None

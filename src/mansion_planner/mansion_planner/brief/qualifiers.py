@@ -8,6 +8,7 @@ that anybody could look up, and words of a kind's own name ("cold room", "shared
 from collections.abc import Sequence
 
 from mansion_knowledge.object_kinds import of_one_kind
+from mansion_knowledge.stand_ins import is_for_another_subject
 from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, UNITS_OF_ROOMS, Phrase
@@ -23,6 +24,7 @@ _PROPERTIES = frozenset(
     warm gated movable mobile modular flexible foldable sliding rotating revolving retractable narrow long tall high
     low wide spiral winding straight curved circular round oval octagonal hexagonal triangular domed arched corner
     north south east west northern southern eastern western northeast northwest southeast southwest passive
+    sunken vaulted
     sustainable solar ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey
     gray beige turquoise golden medieval baroque futuristic steampunk ancient roman egyptian tudor colonial
     automatic electric smart antique floating shallow deep steep kosher halal antistatic double-height
@@ -141,7 +143,9 @@ def subject_of_building(reading: Reading, phrase: Phrase) -> list[tuple[int, int
     kind = reading.knowledge.buildings.get(phrase.building)
     at_home = kind is not None and kind.family in ("home", "lodging")
     for index in range(phrase.begin, _core(reading, phrase)):
-        if not _is_subject(reading, index) or (at_home and _owns(reading, index)):
+        for_cars = "car" in phrase.building or "garage" in phrase.building
+        vehicle = reading.word(index) == "car" and reading.kind(index - 1) != "number" and not for_cars
+        if not (_is_subject(reading, index) or vehicle) or (at_home and _owns(reading, index)):
             continue
         first = index
         while first > phrase.begin and _joined(reading, first) and reading.kind(first) == "word":
@@ -180,26 +184,19 @@ _DWELLINGS = frozenset("apartment flat house home penthouse duplex triplex maiso
 
 def taken_for_its_head(reading: Reading, phrase: Phrase) -> bool:
     """Whether a room of a known kind is called after something that the kind has nothing of: "a turbine hall"."""
-    if phrase.head != "room" or phrase.room_type not in _WIDE or not phrase.known:
+    if phrase.head != "room" or not phrase.known or not phrase.room_type:
         return False
-    core = _core(reading, phrase)
-    single = phrase.noun_end - core == 1 and reading.word(core) in _WIDE[phrase.room_type]
-    return single and any(
-        _is_subject(reading, index) and reading.word(index) not in _AS_ANY for index in range(phrase.begin, core)
+    noun, synonyms = phrase.noun_end - 1, reading.knowledge.room(phrase.room_type).synonyms
+    if any(" ".join(reading.words(first, noun + 1)) in synonyms for first in range(phrase.begin, noun)):
+        return False
+    *before, last = phrase.name.split("_")
+    if phrase.begin == noun and last != reading.word(noun):  # "galleries (coral, jellyfish)"
+        return any(is_for_another_subject(phrase.room_type, last, word) and len(word) > 1 for word in before)
+    return any(
+        is_for_another_subject(phrase.room_type, reading.word(noun), reading.word(index))
+        and (_is_subject(reading, index) or reading.word(index) == "car")  # which else counts the places of a garage
+        for index in range(phrase.begin, noun)
     )
-
-
-_WIDE = {"assembly_hall": {"hall"}, "living_room": {"parlour", "parlor", "salon"}, "workshop": {"workshop"}}
-"""Room types whose nouns stand for rooms of many other uses as well."""
-_AS_ANY = frozenset(
-    """
-    social recital plenary gala concert assembly event function
-    community meeting festival banquet ceremony wedding party school parish
-    repair maintenance tool craft wood metal carpentry joinery mechanical technical teaching training making
-    guest visitor front sitting
-    """.split()
-)
-"""What the rooms of those types are for anyway."""
 
 
 def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:

@@ -167,7 +167,7 @@ class RoomStatements:
             if child.room_type
         )
         fact = RoomFact(
-            room_type=phrase.room_type,
+            room_type="accessible_toilet" if phrase.name == "accessible_toilet" else phrase.room_type,
             name=identifier(phrase.name) or phrase.room_type,
             span=span,
             count=None if phrase.determiner in ("each", "every") and not phrase.counted else phrase.count,

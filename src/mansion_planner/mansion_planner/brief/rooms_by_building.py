@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from mansion_planner.brief.building import is_compound
+from mansion_planner.brief.persons import is_person
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, similar_room_type
@@ -71,8 +72,9 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
     words = phrase.name.split("_")
     if phrase.building and phrase.head in ("room", "building") and words[0] != words[-1]:
         if words[-1] == "cabin" and family and family not in _DWELT_IN:
-            kind = elliptic_room_type(tuple(words[:-1]), reading.knowledge) or "private_office"
-            return replace(phrase, head="room", building="", room_type=kind, known=True)
+            kind = elliptic_room_type(tuple(words[:-1]), reading.knowledge)
+            told = bool(kind) or is_person(words[-2]) or len(words[-2]) < 3  # "MD cabin"
+            return replace(phrase, head="room", building="", room_type=kind or "private_office", known=told)
         if words[-1] == "station" and phrase.building == "train_station" and not phrase.plural:
             return replace(phrase, head="room", building="", room_type=HEAD_TYPES["station"], known=False)
     kinds = [reading.facts.building_name, *(kind for kind, _ in reading.facts.building[:1])]
@@ -89,6 +91,10 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, room_type="bedroom", known=False)  # a monk's
     if family == "home" and phrase.name in _SLEPT_IN:
         return replace(phrase, room_type=_SLEPT_IN[phrase.name], known=True)
+    if family == "health" and phrase.name in ("theatre", "theater"):
+        return replace(phrase, head="room", building="", room_type="operating_room", known=True)
+    if family == "lodging" and phrase.name in _LET:
+        return replace(phrase, room_type="hotel_room", known=True)
     if family == "home" and phrase.name == "library" and phrase.room_type == "library":
         return replace(phrase, head="room", building="", room_type="library_room", known=True)
     if family == "home" and phrase.room_type == HEAD_TYPES["chamber"] and phrase.name == "chamber":
@@ -126,6 +132,9 @@ _WORKING = frozenset({"office", "industry", "education", "culture", "sport", "re
 
 _SLEPT_IN = {"private_room": "bedroom", "parent_room": "master_bedroom"}
 """Rooms of a home that are to sleep in, and that other buildings have for something else."""
+
+_LET = frozenset({"private_room", "family_room"})
+"""Rooms of a hostel or a refuge that guests have to themselves."""
 
 _INSTRUMENTS = frozenset({"education", "health", "office", ""})
 """Families of buildings whose bays hold instruments and not cars."""

@@ -80,7 +80,7 @@ _REQUESTS = frozenset(
     design generate imagine think thank suppose assume kindly hereby attach attached regards turn convert converting
     furnish bought dream dreaming wanting requiring requirement help mean means call enter coming map
     wished wishing renovate refurbish redesign naturally course completely strictly oh whatever latter thereabouts
-    utmost provided outgrown premises actually hmm hm um uh erm scrap wait sorry oops
+    utmost provided outgrown premises actually hmm hm um uh erm scrap wait sorry oops add adding cheer regard behalf
     """.split()
 )
 """Words that ask for a building and say nothing of it."""
@@ -88,7 +88,7 @@ _REQUESTS = frozenset(
 _LABELS = frozenset(
     """
     accommodation schedule programme program character idiom core capacity interior requirement note summary project
-    client circulation vertical scope
+    client circulation vertical scope object furniture furnishing
     """.split()
 )
 """What the lists and headings of a written brief are called."""
@@ -103,6 +103,7 @@ _PRAISE = frozenset(
 """Words of taste, which no building could be checked for."""
 
 _ASKING = {
+    "planning": frozenset({"a", "an", "the", "our", "my", "to", "this"}),
     "plan": frozenset({"a", "an", "the", "our", "my", "me", "us", "this"}),
     "draw": frozenset({"a", "an", "the", "up", "me", "us", "out"}),
     "show": frozenset({"me", "us"}),

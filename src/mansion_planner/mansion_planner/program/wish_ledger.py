@@ -12,6 +12,7 @@ from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
 from mansion_planner.brief.bounds import Limit
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, FloorRef, ObjectFact, RoomFact, Span
 from mansion_planner.brief.furniture_words import own_furniture_of
+from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.similarity import told_room_type
 from mansion_planner.brief.sizes import size_bound
 from mansion_planner.program.allocation import MANY
@@ -21,6 +22,7 @@ from mansion_planner.program.furniture_areas import usual_number, usually_has
 from mansion_planner.program.household import is_whole
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.people_rooms import place_requests
+from mansion_planner.program.single_rooms import single_beds
 from mansion_planner.program.storeys import floors_of
 
 __all__ = ["furniture_of", "requested_objects", "wishes_of"]
@@ -55,8 +57,9 @@ def furniture_of(decisions: Decisions, storeys: Sequence[Storey]) -> dict[tuple[
                     rows=fact.rows,
                 )
             )
-    for place, request in place_requests(decisions, rooms).items():
-        furniture.setdefault(place, []).append(request)
+    for requests in (place_requests(decisions, rooms), single_beds(decisions, rooms)):
+        for place, request in requests.items():
+            furniture.setdefault(place, []).append(request)
     return furniture
 
 
@@ -169,19 +172,18 @@ _AS_NAMED = {"bedroom": ("cabin", "berth", "chamber"), "private_office": ("offic
 """Last words of names for which a room type is what they say, whoever uses the room."""
 
 
-def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase) -> str:
+def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase, family: str) -> str:
     """Say what is planned in the place of a room of which nothing is known, or that is another thing."""
-    told = not room.known and answers_when_told(room.room_type)
-    if told and told_room_type(room.name, knowledge) == room.room_type:
-        return ""
-    if room.name == f"{room.room_type}_room":
+    if stands_in("rooms", room.room_type, room.name, family):
+        return f"planned and furnished like {_spaced(room.room_type)}"
+    if "accessible" in room.name.split("_") and "accessible" not in room.room_type:
+        return f"planned and furnished like any {_spaced(room.room_type)}"
+    if room.known or room.name == f"{room.room_type}_room":
         return ""  # "a kennel room"
-    if not room.known and room.name.endswith(_AS_NAMED.get(room.room_type, ("-",))):
+    told = answers_when_told(room.room_type) and told_room_type(room.name, knowledge) == room.room_type
+    if told or room.name.endswith(_AS_NAMED.get(room.room_type, ("-",))):
         return ""
-    if not room.known:
-        return f"no such room is known; planned and furnished like {_spaced(room.room_type)}"
-    only = stands_in("rooms", room.room_type, room.name)
-    return f"planned and furnished like {_spaced(room.room_type)}" if only else ""
+    return f"no such room is known; planned and furnished like {_spaced(room.room_type)}"
 
 
 def _stand_in_for(wanted: ObjectFact) -> str:
@@ -207,7 +209,7 @@ class _Ledger:
         unread = kind == "unread"
         unheeded = [w.words for w in self.facts.unheeded if span.start <= w.start and w.end <= span.end]
         if unheeded and kind in _QUALIFIED and not value.unwanted:
-            value = msgspec.structs.replace(value, unheeded=unheeded)
+            value = msgspec.structs.replace(value, unheeded=[*value.unheeded, *unheeded])
         wish = Wish(
             id="wish",
             text=text,
@@ -325,7 +327,7 @@ class _Ledger:
             self.add(kind, span, WishValue(unwanted=name.startswith("no_"), count=counts.get(span)))
 
     def _room(self, room: RoomFact) -> None:
-        reason = _stand_in_of(room, self.knowledge)
+        reason = self._stand_in(room)
         whole = room.area is not None and is_whole(room, self.knowledge)
         area, limit = self._area_of(room)
         name = self._called(room)
@@ -337,10 +339,14 @@ class _Ledger:
         owners = room.count
         for child in room.suite:
             many = None if owners is None else owners * (child.count or 1)
+            reason = self._stand_in(child)
             scope = Scope(floors=self.floors(room.floors), each=room.each, room=room.name, room_type=room.room_type)
             area, limit = self._area_of(child)
             value = WishValue(name=child.name, type=child.room_type, count=many, area=area, limit=limit)
-            self.add("room", child.span, value, scope)
+            self.add("room", child.span, value, scope, reason=reason)
+
+    def _stand_in(self, room: RoomFact) -> str:
+        return _stand_in_of(room, self.knowledge, self.decisions.building.family)
 
     def _called(self, room: RoomFact) -> str:
         """Return a room's name as the brief has it, also where it is the hall that the building is there for."""
@@ -351,7 +357,7 @@ class _Ledger:
         """Add what each unit holds."""
         scope = Scope(floors=self.floors(room.floors), unit=room.name, unit_type=room.room_type)
         for child in room.suite:
-            reason = _stand_in_of(child, self.knowledge)
+            reason = self._stand_in(child)
             area, limit = self._area_of(child)
             value = WishValue(name=child.name, type=child.room_type, count=child.count, area=area, limit=limit)
             self.add("room", child.span, value, scope, reason=reason)
@@ -371,7 +377,27 @@ class _Ledger:
             other_type=fact.second,
             door=fact.door,
         )
+        value = msgspec.structs.replace(value, unheeded=self._unread_subject(fact.span))
         self.add(kind, fact.span, value, Scope(each=fact.each))
+
+    def _unread_subject(self, relation: Span) -> list[str]:
+        """Return what was not understood right before a relation's words, which may be about it and not what was read.
+
+        Of "phonetics lab, an anechoic chamber wall to wall with" the chamber is the subject, but in "an archive,
+        windowless and next to" a property stands there.
+        """
+        found = []
+        for span in self.facts.unread:
+            rest = relation.words[span.end - relation.start :].split()
+            inside = relation.start < span.start and span.end < relation.end
+            if inside and rest and rest[0][0].isalpha() and rest[0] != "and" and not is_property(span.words.lower()):
+                found.append(span.words)
+        return found
+
+    def _unread_place(self, wanted: ObjectFact) -> list[str]:
+        """Return what was not understood right before a thing, where it may stand: "the other one ten chairs"."""
+        before = [span.words for span in self.facts.unread if 0 <= wanted.span.start - span.end <= 1]
+        return [words for words in before if not (wanted.excluded or (wanted.room and words.split()[-1] != "one"))]
 
     def _object(self, wanted: ObjectFact) -> None:
         kind: WishKind = "no_object" if wanted.excluded else "object"
@@ -382,6 +408,7 @@ class _Ledger:
             count=None if wanted.excluded else wanted.count,
             unwanted=wanted.excluded,
             exact=wanted.exact and not wanted.excluded,
+            unheeded=self._unread_place(wanted),
         )
         self.add(kind, wanted.span, value, self._place_of(wanted), reason=_stand_in_for(wanted))
 
