@@ -17,6 +17,7 @@ from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_choice import floors_for, in_order, is_free_bathroom, number_of
 from mansion_planner.program.storeys import entries_of, floors_of
+from mansion_planner.program.told_programs import tells_program
 
 __all__ = ["MANY", "Allocation", "allocate"]
 
@@ -41,6 +42,8 @@ class Allocation:
         Names of rooms that are as large as the places of those who work there need, whatever is usual.
     households : dict of str to RoomFact
         What every unit holds that a storey adds by itself, by the room type that it counts as.
+    told : bool
+        The brief tells what the building holds, so that it is as large as that.
     """
 
     wanted: dict[int, list[RoomFact]] = field(default_factory=dict)
@@ -50,6 +53,7 @@ class Allocation:
     furniture: dict[str, float] = field(default_factory=dict)
     places: frozenset[str] = frozenset()
     households: dict[str, RoomFact] = field(default_factory=dict)
+    told: bool = False
 
     def added(self, entry: RoomEntry, knowledge: KnowledgeBase) -> PlannedRoom:
         """Return a room of a storey's list, with the rooms that the brief gives to every such unit."""
@@ -158,6 +162,7 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
         furniture=furniture,
         places=frozenset() if places is None else frozenset({places[0].name}),
         households={knowledge.room(fact.room_type).counts_as: fact for fact in decisions.facts.households},
+        told=tells_program(decisions.facts, decisions.building, knowledge),
     )
     return allocation, Record(tuple(trace))
 

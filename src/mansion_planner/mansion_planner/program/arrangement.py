@@ -39,6 +39,7 @@ from mansion_planner.program.outline import Envelope, Frame, envelope_of
 from mansion_planner.program.plan_quality import (
     carved,
     comes_out_as_strips,
+    crosswise,
     dark_rooms,
     shallow_garages,
     shrunk_rooms,
@@ -134,8 +135,9 @@ def _ill_shaped(layout: Arrangement, *, home: bool) -> tuple[int, float]:
     own = _own_sketches(layout)
     ill: float = sum(
         len(strips(sketch)) + len(carved(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch))
+        + len(crosswise(sketch))
         for sketch in own
-    )
+    )  # fmt: skip
     ill += sum(_unlit(layout.sketches[storey.index], layout.massing) for storey in layout.storeys if _is_plain(storey))
     if home:
         above = [storey for storey in layout.storeys if storey.copy is None and storey.index >= 1]

@@ -11,6 +11,7 @@ from mansion_planner.program.bands import Segment, bring_to_end, fill_segments, 
 from mansion_planner.program.blocks import DOOR, group_blocks, lay_block, of_full_depth, passage_of
 from mansion_planner.program.home_orders import best_sketch, home_price
 from mansion_planner.program.model import (
+    DOOR_WALL,
     Box,
     Corridor,
     Massing,
@@ -24,7 +25,7 @@ from mansion_planner.program.model import (
     lobby_length,
     pocket,
 )
-from mansion_planner.program.plan_quality import fill
+from mansion_planner.program.plan_quality import FACING, fill
 from mansion_planner.program.separation import keep_apart
 from mansion_planner.program.side_passages import SidePassage, with_passages
 
@@ -59,7 +60,7 @@ def sketch_storey(
     """
     length = _extent(massing, storey)
     ends, rest = _end_rooms(massing, storey.rooms, length)
-    stop = length - sum((room.gross + box_area(_corner(massing))) / massing.depth for room in ends)
+    stop = length - (sum(room.gross for room in ends) + box_area(_corner(massing)) * bool(ends)) / massing.depth
     if _is_one_room(massing, storey):
         ends, rest = list(storey.rooms), []
         stop = max(pocket(massing), lobby_length(massing, storey)) + _LANDING
@@ -481,12 +482,15 @@ def _room_beside_lifts(segments: Sequence[Segment]) -> list[Segment]:
 def _end_rooms(
     massing: Massing, rooms: Sequence[PlannedRoom], length: float
 ) -> tuple[list[PlannedRoom], list[PlannedRoom]]:
-    """Choose the room that closes the bar over its whole depth: one too large for a band.
+    """Choose the rooms that close the bar over its whole depth: one too large for a band, or two for audiences.
 
     Where a stair stands at that end, only a hall does, with the stair in its corner.
     """
     if massing.wings:
         return [], list(rooms)
+    pair = _side_by_side(massing, rooms, length)
+    if pair:
+        return pair, [room for room in rooms if not any(room is other for other in pair)]
     deep = max(massing.north, massing.south)
     least = _HALL if far_stair(massing) else 90.0
     large = [r for r in rooms if not r.suite and r.area > 2.4 * deep * deep and r.area > least]
@@ -495,6 +499,37 @@ def _end_rooms(
         return [], list(rooms)
     end = max(large, key=lambda room: (room.area, room.id))
     return [end], [room for room in rooms if room is not end]
+
+
+_AUDIENCE = 45.0
+"""Least square metres of each of two rooms in rows that close the bar together."""
+
+
+def _side_by_side(massing: Massing, rooms: Sequence[PlannedRoom], length: float) -> list[PlannedRoom]:
+    """Return two rooms in rows that close the bar side by side, both entered from the end of the corridor, or none."""
+    large = [room for room in rooms if room.kind.name in FACING and room.area >= _AUDIENCE and not room.suite]
+    pair = sorted(large, key=lambda room: (-room.area, room.id))[:2]
+    deep = sum(room.area for room in pair) / massing.depth
+    fits = 0.45 * massing.depth <= deep < 0.7 * length and massing.corridor >= 2 * DOOR_WALL
+    return pair if len(pair) == _PAIR and fits and not far_stair(massing) and len(rooms) > _PAIR else []
+
+
+_PAIR = 2
+
+
+def _closing(massing: Massing, ends: Sequence[PlannedRoom], stop: float, length: float) -> list[Placement]:
+    """Return the places of the rooms that close the bar: over its whole depth, two of them on either side of its middle."""
+    if len(ends) < _PAIR:
+        return [Placement(room, _around_corner(massing, stop, length), _AT_END) for room in ends]
+    first, second = ends
+    middle = massing.south + massing.corridor / 2
+    spare = massing.corridor / 2 - DOOR_WALL
+    cut = massing.depth * first.gross / (first.gross + second.gross)
+    cut = min(max(cut, middle - spare), middle + spare)
+    return [
+        Placement(first, [(stop, 0.0, length, cut)], _AT_END),
+        Placement(second, [(stop, cut, length, massing.depth)], _AT_END),
+    ]
 
 
 def _segments(massing: Massing, stop: float, lobby: float) -> list[Segment]:
@@ -551,11 +586,7 @@ def _assemble(
     length: float,
 ) -> Sketch:
     rooms, fronts, passages = _placed(massing, segments)
-    x = stop
-    for room in ends:
-        wide = (length - stop) * room.gross / sum(end.gross for end in ends)
-        rooms.append(Placement(room, _around_corner(massing, x, x + wide), _AT_END))
-        x += wide
+    rooms += _closing(massing, ends, stop, length)
     lobby = lobby_length(massing, storey)
     corridors = _corridors_of(massing, hub_id, fronts, stop, lobby, ended=bool(ends))
     corridors = with_passages(corridors, [c for c in corridors if _is_main(c)], passages)

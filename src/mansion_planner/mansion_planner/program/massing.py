@@ -18,6 +18,7 @@ from mansion_planner.program.called_sizes import called_size
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
 from mansion_planner.program.exit_stairs import second_stair
 from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
+from mansion_planner.program.plan_quality import FACING
 from mansion_planner.program.shape_sizes import holds_shape, least_area
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import base_rooms, hub_area, listed_area
@@ -115,6 +116,7 @@ def storey_area(
         rooms = base_rooms(storey, allocation, knowledge)
         hub = hub_area(storey, allocation) or storey.hub.least if is_hall(decisions) else 0.0
         wished = sum(room.gross for room in rooms)
+        wished = listed_area(storey, allocation, knowledge) if allocation.told else wished
         tight = sum(max(r.least, 0.0) for room in rooms for r in room.each()) + hub
         least = max(least, (tight + fixed) / (1.0 - 0.6 * share))
         if wished + hub > need:
@@ -166,7 +168,7 @@ _BEYOND_TOLD = 1.2
 def _is_told(storeys: Sequence[Storey], allocation: Allocation) -> bool:
     """Whether a brief tells what a building holds, so that it is as large as that and has hardly a room besides."""
     kinds = {fact.room_type for storey in storeys for fact in allocation.wanted[storey.index]}
-    return len(kinds) >= max(_KINDS_TOLD, _KINDS_A_STOREY * len(storeys))
+    return allocation.told or len(kinds) >= max(_KINDS_TOLD, _KINDS_A_STOREY * len(storeys))
 
 
 def _outgrown(
@@ -295,11 +297,17 @@ def corridor_width(use: BuildingType, area: float) -> float:
         return 1.3 if area < 140 else 1.4
     if use.family == "home" or use.parti == "house":
         return 1.4 if area < 140 else 1.6
+    if not FACING.isdisjoint(use.main) and "stage" not in use.main:
+        return _FOYER
     usual = 1.8 if area < 300 else 2.0
     if use.family in ("health", "education", "retail", "culture", "transport"):
         usual = 2.0 if area < 300 else 2.4
     asked = load_norms().rules["corridor_width"].limit(use.name, use.family) + INTERIOR_THICKNESS
     return max(usual, math.ceil(10.0 * asked) / 10.0)
+
+
+_FOYER = 3.6
+"""Width of the corridor between rooms for audiences, which is where these wait and buy their tickets, metres."""
 
 
 def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:

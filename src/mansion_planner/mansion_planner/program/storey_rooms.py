@@ -10,7 +10,15 @@ from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.household import STUDIO, use_of
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.planned_rooms import planned_room
-from mansion_planner.program.room_growth import at_home, growth_weight, is_described, is_needed, reach, weight_beyond
+from mansion_planner.program.room_growth import (
+    at_home,
+    growth_weight,
+    is_described,
+    is_needed,
+    most_sensible,
+    reach,
+    weight_beyond,
+)
 from mansion_planner.program.storeys import entries_of
 
 __all__ = [
@@ -56,10 +64,14 @@ _LEAST_LISTED = 0.6
 
 
 def _as_in_its_building(room: PlannedRoom, storey: Storey) -> PlannedRoom:
-    """Return a room as large as the building type's own list has it: the kitchen of a villa, a clinic's laboratory."""
+    """Return a room as large as the building type's own list has it: the kitchen of a villa, a clinic's laboratory.
+
+    Stores in a basement are no measure for those above.
+    """
+    below = storey.role == "basement"
     areas = [
-        entry.area for entries in storey.use.storeys.values() for entry in entries
-        if entry.room_type == room.kind.name and entry.area
+        entry.area for role, entries in storey.use.storeys.items() for entry in entries
+        if entry.room_type == room.kind.name and entry.area and (role == "basement") is below
     ]  # fmt: skip
     area = max([*areas, _LEAST_LISTED * room.kind.usual])
     own = room.area == room.kind.usual and not room.kind.toilet
@@ -69,11 +81,18 @@ def _as_in_its_building(room: PlannedRoom, storey: Storey) -> PlannedRoom:
 
 
 def listed_area(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> float:
-    """Return what the rooms asked for and the storey's own list take at their usual sizes, square metres."""
+    """Return what the rooms asked for and the storey's own list take at their usual sizes, square metres.
+
+    Where the brief tells what the building holds, those alone of the list count that serve it.
+    """
     total = sum(room.gross for room in base_rooms(storey, allocation, knowledge))
+    main = _needed_entries(storey, allocation, knowledge) if allocation.told else []
     for entry in entries_of(storey):
-        if allocation.adds(entry.room_type, storey.index) and not entry.repeat:
-            total += entry.count * allocation.added(entry, knowledge).gross
+        if not allocation.adds(entry.room_type, storey.index) or entry.repeat:
+            continue
+        if allocation.told and entry not in main and not is_needed(knowledge.room(entry.room_type), storey.use):
+            continue
+        total += entry.count * allocation.added(entry, knowledge).gross
     return total
 
 
@@ -363,7 +382,7 @@ def fit_areas(rooms: Sequence[PlannedRoom], capacity: float) -> tuple[PlannedRoo
 
 def _within_limits(room: PlannedRoom, area: float, factor: float) -> float:
     strength = factor if factor < 1.0 else 1.0 + (factor - 1.0) * growth_weight(room)
-    return min(max(area * strength, room.least), room.most)
+    return min(max(area * strength, room.least), most_sensible(room))
 
 
 def _beyond_limits(room: PlannedRoom, area: float, factor: float) -> float:

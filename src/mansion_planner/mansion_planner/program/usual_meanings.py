@@ -19,6 +19,8 @@ _MEANT = {
     "showroom": ("car_showroom",), "kitchenette": ("kitchen",), "sleeping_area": ("bedroom",),
     "hall": ("assembly_hall", "conference_hall"), "guest_room": ("hotel_room",), "bedroom": ("hotel_room",),
     "gym": ("home_gym",), "dressing_room": ("walk_in_closet",),
+    "playroom": ("kindergarten_classroom",), "treatment_room": ("dental_room",), "garage": ("apparatus_bay",),
+    "storage_room": ("stock_room",), "storage": ("stock_room",), "store_room": ("stock_room",),
     "library": ("library_room",), "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
 }  # fmt: skip
 """Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
