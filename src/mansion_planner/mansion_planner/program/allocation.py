@@ -211,11 +211,25 @@ def _unwanted_types(
                 unwanted[floor] |= alike
         if any(fact.room_type == "living_room" and "dining" in fact.name for fact in facts):
             unwanted[floor] |= {"dining_room"}
+    for floor in unwanted:
+        unwanted[floor] |= _told_elsewhere(floor, decisions, knowledge)
     for name, ref, _ in decisions.facts.excluded_on:
         like = next((group for group in _SAME_USE if name in group), frozenset())
         for floor in floors_of((ref,), decisions):
             unwanted[floor] = unwanted.get(floor, frozenset()) | {name} | like | _same_head(name, knowledge)
     return unwanted
+
+
+def _told_elsewhere(floor: int, decisions: Decisions, knowledge: KnowledgeBase) -> frozenset[str]:
+    """Return the room types that fill other storeys, as the brief says: "offices on the second floor"."""
+    facts = decisions.facts
+    several = [fact for fact in facts.rooms if fact.floors and fact.count is None and not fact.each]
+    names = {fact.room_type for fact in several if floor not in floors_of(fact.floors, decisions)}
+    for use in facts.uses:
+        if use.floors and floor not in floors_of(use.floors, decisions):
+            lists = knowledge.buildings[use.building_type].storeys.values()
+            names |= {entry.room_type for entries in lists for entry in entries if entry.repeat}
+    return frozenset(names) if decisions.building.family != "mixed" else frozenset()
 
 
 _SAME_USE = (

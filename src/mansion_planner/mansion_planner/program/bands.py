@@ -104,15 +104,24 @@ class Segment(msgspec.Struct, frozen=True):
         return (across[0], start - box[2], across[1], start - box[0])
 
 
-def front_order(rooms: Sequence[PlannedRoom]) -> list[PlannedRoom]:
+_AT_THE_DOOR = frozenset(
+    "reception ticket_office concession_stand service_counter check_in_hall waiting_room cloakroom".split()
+)
+"""Rooms that visitors come to first."""
+
+
+def front_order(rooms: Sequence[PlannedRoom], *, entered: bool = False) -> list[PlannedRoom]:
     """Order rooms from the cores outwards: wet rooms (stacked from storey to storey), public, service, private.
 
-    Showers are with the changing rooms that they belong to, where a storey has those.
+    Showers are with the changing rooms that they belong to, where a storey has those. Where a public building is
+    `entered`, what visitors come to first comes before all.
     """
     zones = {"circulation": 0, "public": 1, "service": 2, "private": 3}
     fixed = {room.kind.name for room in rooms if not room.kind.stack}
 
     def rank(room: PlannedRoom) -> tuple[int, int]:
+        if entered and room.kind.name in _AT_THE_DOOR:
+            return (-1, 0)
         if room.kind.stack and (room.kind.toilet or fixed.isdisjoint(room.kind.near)):
             return (0, room.kind.stack)
         if room.kind.open:

@@ -386,6 +386,9 @@ def _lay_one(
     area = child.area * scale
     high = _front_depth(area, depth)
     wide = area / high
+    if DOOR > width - wide and (width - DOOR) * _DEEPEST_BATH * depth >= area and width - DOOR >= _NARROWEST_BATH:
+        wide = width - DOOR
+        high = area / wide
     if width - wide >= DOOR and area < 0.4 * host.area * scale:
         corner: Box = (0.0, 0.0, wide, high)
         return [(host, [(wide, 0.0, width, depth), (0.0, high, wide, depth)]), (child, [corner])]
@@ -397,6 +400,10 @@ def _lay_one(
     wide = area / high
     boxes: list[Box] = [(0.0, 0.0, width, depth - high), (wide, depth - high, width, depth)]
     return [(host, boxes), (child, [(0.0, depth - high, wide, depth)])]
+
+
+_NARROWEST_BATH, _DEEPEST_BATH = 1.7, 0.5
+"""Width of a bath in the front corner of a narrow room at least, metres, and its share of the depth at most."""
 
 
 def _lay_columns(host: PlannedRoom, width: float, depth: float, scale: float) -> list[tuple[PlannedRoom, list[Box]]]:

@@ -67,7 +67,8 @@ def sketch_storey(
     segments = _segments(massing, stop, lobby_length(massing, storey))
     segments = _with_floor_behind_lifts(massing, storey, segments)
     depth = max(segment.depth for segment in segments)
-    rest = of_full_depth(front_order(rest), ends, depth, pairs)
+    entered = storey.role in ("single", "ground") and storey.use.family != "home"
+    rest = of_full_depth(front_order(rest, entered=entered), ends, depth, pairs)
     blocks = group_blocks(rest, depth, pairs, passages=storey.use.family != "home")
     filled = bring_to_end(fill_segments(segments, blocks, pairs), stop, ends, pairs)
     filled = _room_beside_lifts(keep_apart(filled, apart, pairs))

@@ -22,8 +22,8 @@ def foyer_length(
 ) -> float:
     """Return the metres of the lower band that the hub of an entrance storey takes for a foyer.
 
-    It takes what the rooms of a brief leave when all have sensible sizes; and as much as a foyer of a stated size
-    lacks, of what they leave at the sizes that they are planned with.
+    It takes what the rooms of a brief leave when all have sensible sizes; as much as a foyer of a stated size lacks, of
+    what they leave at the sizes that they are planned with; and a little where no lobby lies before a lift.
 
     Parameters
     ----------
@@ -43,4 +43,16 @@ def foyer_length(
     lacking = stated - massing.corridor * piece - massing.south * lobby_length(massing, storey)
     left = capacity - sum(room.gross for room in rooms)
     length = max(spare, min(lacking, left)) / massing.south
-    return min(length, _MOST, _MOST_SHARE * massing.length) if length >= _LEAST else 0.0
+    length = min(length, _MOST, _MOST_SHARE * massing.length) if length >= _LEAST else 0.0
+    alone = massing.lobby or massing.corridor > _HALL or capacity < _SMALL
+    return length if alone else max(length, min(_USUAL / massing.south, _MOST_SHARE * massing.length))
+
+
+_USUAL = 15.0
+"""Square metres of a foyer beside the corridor of a building without a lift."""
+
+_HALL = 3.0
+"""Width from which a corridor is a foyer by itself, metres."""
+
+_SMALL = 90.0
+"""Square metres of rooms up to which a corridor is enough to come in by."""

@@ -97,7 +97,12 @@ def _circulation(decisions: Decisions, cores: CoreWish) -> tuple[float, float]:
     """Return what cores and lobby take, and the share of the rest that corridors take."""
     if is_hall(decisions):
         return cores.area, 0.0
-    return cores.area + (24.0 if cores.lifts else 0.0), 0.17
+    entrance = 24.0 if cores.lifts else 0.0 if decisions.building.family == "home" else _FOYER_AREA
+    return cores.area + entrance, 0.17
+
+
+_FOYER_AREA = 14.0
+"""Square metres of the foyer of a public building without a lift's lobby."""
 
 
 def storey_area(
@@ -286,7 +291,8 @@ def choose_shape(decisions: Decisions, area: float, stairs: int, generator: np.r
             f"there are {area:.0f}",
         )  # fmt: skip
         return "rectangle", Record(downgrades=(simpler,))
-    if decisions.building.parti == "spine" and area >= 300 and draw < 0.25:
+    wings = decisions.floors == 1  # the corridor of a wing above others is a dead end, or asks for a stair of its own
+    if wings and decisions.building.parti == "spine" and area >= 300 and draw < 0.25:
         return "L" if draw < 0.17 else "T", Record()
     return "rectangle", Record()
 

@@ -24,6 +24,9 @@ _WALLS = 1.6
 _WOMENS = 2.0
 """Water closets of a restroom for women at least: one alone makes a queue (planning practice)."""
 
+_MENS = 0.75
+"""Least area of a restroom for men to that for women (planning practice: as many fixtures, some of them urinals)."""
+
 _OF_CHILDREN = 3.0
 """Water closets of a washroom for small children at least, whom two grown-ups take there in groups."""
 
@@ -199,16 +202,20 @@ def _choices(
     small = planned_room(kind, knowledge, area=kind.least)
     if not need.separate:
         return [[small]] if accessible and not any(_serves_wheelchairs(room) for room in rooms) else []
+    least = {"men": 1.0, "women": _WOMENS if roomy else 1.0}
+    least = dict.fromkeys(least, _OF_CHILDREN) if need.children else least
+    areas = {name: _area_for(max(need.closets[name], least[name]), need.basins / 2) for name in need.closets}
+    areas["men"] = max(areas["men"], _MENS * areas["women"])
     toilets = []
-    for name, closets in need.closets.items():
-        least = _OF_CHILDREN if need.children else _WOMENS if name == "women" and roomy else 1.0
-        area = _area_for(max(closets, least), need.basins / 2)
+    for name, area in areas.items():
         room = planned_room(knowledge.room("restroom"), knowledge, area=area)
         called = "childrens_washroom" if need.children else f"{name}s_restroom"
         toilets.append(msgspec.structs.replace(room, id=called, base=called))
-    if not accessible:
+    if not accessible and not roomy:
         return [toilets]
     best = [*toilets, planned_room(kind, knowledge)]
+    if not accessible:
+        return [best, toilets]
     return [best, [small, small]] if need.one_each else [best]
 
 

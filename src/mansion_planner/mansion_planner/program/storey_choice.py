@@ -32,7 +32,7 @@ def floors_for(
     """
     above = [storey.index for storey in storeys if storey.index >= 1]
     count = number_of(fact)
-    if fact.floors:
+    if fact.floors and not _named_with_others(fact, decisions):
         chosen = [f for f in floors_of(fact.floors, decisions) if f in wanted] or [above[-1]]
         found: list[int] = []
         for number, floor in enumerate(chosen):
@@ -49,16 +49,36 @@ def floors_for(
     return _emptiest(fact, count, beside, wanted, knowledge), ""
 
 
+def _named_with_others(fact: RoomFact, decisions: Decisions) -> bool:
+    """Whether a storey stands after another room of a list, which visitors do not come to first as they do to this one.
+
+    "A service counter and offices on the second floor" has its counter at the entrance.
+    """
+    if fact.room_type not in _AT_THE_DOOR - {"indoor_pool"} or fact.each:
+        return False
+    others = [other.span for other in decisions.facts.rooms if other is not fact]
+    others += [use.span for use in decisions.facts.uses]
+    return all(
+        ref.kind == "number" and any(fact.span.end <= span.start and span.end <= ref.span.start for span in others)
+        for ref in fact.floors
+    )
+
+
 def in_order(facts: Sequence[RoomFact], decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFact]:
     """Return facts in the order in which they get their storeys.
 
-    Rooms that follow others come after these, and free bathrooms come once bedrooms have their storeys.
+    Rooms that follow others come after these, and free bathrooms come once bedrooms have their storeys. A public
+    building's rooms for any storey come after those for one of them, and fill up what these leave.
     """
+    home = decisions.building.family == "home"
 
     def turn(fact: RoomFact) -> int:
         if is_free_bathroom(fact, decisions):
+            return 3
+        kind = knowledge.room(fact.room_type)
+        if not fact.floors and _follows(kind):
             return 2
-        return int(not fact.floors and _follows(knowledge.room(fact.room_type)))
+        return int(not (home or fact.floors or fact.each) and kind.storey == "any")
 
     return sorted(facts, key=turn)
 

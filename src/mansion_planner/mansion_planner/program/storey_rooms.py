@@ -296,7 +296,10 @@ _CROWDED = 1.25
 
 
 _ONE_A_STOREY = frozenset(
-    "lounge common_room laundry_room gym cafe bar sauna business_center computer_lab art_room break_room".split()
+    """
+    lounge common_room laundry_room gym cafe bar sauna business_center computer_lab art_room break_room archive
+    training_room
+    """.split()
 )
 """Rooms of general use that a storey is not filled up with more than once."""
 
