@@ -1,11 +1,11 @@
 """Lay rooms out in bands along corridors: the stretches of band that blocks of rooms are distributed over."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import msgspec
 
 from mansion_planner.program.blocks import Block
-from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
+from mansion_planner.program.model import Box, Massing, PlannedRoom, Storey, Wing
 from mansion_planner.program.widths import widened
 
 __all__ = [
@@ -15,6 +15,7 @@ __all__ = [
     "fill_segments",
     "front_order",
     "misfit_of_exchange",
+    "rooms_at_door",
     "with_rows",
 ]
 
@@ -109,18 +110,37 @@ _AT_THE_DOOR = frozenset(
 )
 """Rooms that visitors come to first."""
 
+_OF_CULTURE = frozenset({"shop", "cafe"})
+"""Rooms of a museum or theatre beside its entrance, which people also come to for themselves."""
 
-def front_order(rooms: Sequence[PlannedRoom], *, entered: bool = False) -> list[PlannedRoom]:
+
+def rooms_at_door(storey: Storey, pairs: Sequence[tuple[str, str]]) -> frozenset[str]:
+    """Return the types and names of the rooms of a public building that lie beside its entrance.
+
+    Parameters
+    ----------
+    storey : Storey
+    pairs : sequence of (str, str)
+        Rooms that are to be side by side: one that is to be beside the lobby is beside the entrance.
+    """
+    if storey.role not in ("single", "ground") or storey.use.family == "home":
+        return frozenset()
+    hubs = {storey.hub.name, "lobby", "entrance_hall"}
+    asked = {one for pair in pairs for one, other in (pair, pair[::-1]) if other in hubs and one not in hubs}
+    return _AT_THE_DOOR | asked | (_OF_CULTURE if storey.use.family == "culture" else frozenset())
+
+
+def front_order(rooms: Sequence[PlannedRoom], at_door: Collection[str] = ()) -> list[PlannedRoom]:
     """Order rooms from the cores outwards: wet rooms (stacked from storey to storey), public, service, private.
 
-    Showers are with the changing rooms that they belong to, where a storey has those. Where a public building is
-    `entered`, what visitors come to first comes before all.
+    Showers are with the changing rooms that they belong to, where a storey has those. Rooms of a type or name of
+    `at_door` come before all.
     """
     zones = {"circulation": 0, "public": 1, "service": 2, "private": 3}
     fixed = {room.kind.name for room in rooms if not room.kind.stack}
 
     def rank(room: PlannedRoom) -> tuple[int, int]:
-        if entered and room.kind.name in _AT_THE_DOOR:
+        if any(room.called(name) for name in at_door):
             return (-1, 0)
         if room.kind.stack and (room.kind.toilet or fixed.isdisjoint(room.kind.near)):
             return (0, room.kind.stack)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import msgspec
 
 from mansion_knowledge.norms import load_norms
-from mansion_planner.program.bands import Segment, bring_to_end, fill_segments, front_order, with_rows
+from mansion_planner.program.bands import Segment, bring_to_end, fill_segments, front_order, rooms_at_door, with_rows
 from mansion_planner.program.blocks import DOOR, group_blocks, lay_block, of_full_depth, passage_of
 from mansion_planner.program.home_orders import best_sketch, home_price
 from mansion_planner.program.model import (
@@ -67,8 +67,7 @@ def sketch_storey(
     segments = _segments(massing, stop, lobby_length(massing, storey))
     segments = _with_floor_behind_lifts(massing, storey, segments)
     depth = max(segment.depth for segment in segments)
-    entered = storey.role in ("single", "ground") and storey.use.family != "home"
-    rest = of_full_depth(front_order(rest, entered=entered), ends, depth, pairs)
+    rest = of_full_depth(front_order(rest, rooms_at_door(storey, pairs)), ends, depth, pairs)
     blocks = group_blocks(rest, depth, pairs, passages=storey.use.family != "home")
     filled = bring_to_end(fill_segments(segments, blocks, pairs), stop, ends, pairs)
     filled = _room_beside_lifts(keep_apart(filled, apart, pairs))

@@ -44,14 +44,15 @@ def foyer_length(
     left = capacity - sum(room.gross for room in rooms)
     length = max(spare, min(lacking, left)) / massing.south
     length = min(length, _MOST, _MOST_SHARE * massing.length) if length >= _LEAST else 0.0
-    alone = massing.lobby or massing.corridor > _HALL or capacity < _SMALL
-    return length if alone else max(length, min(_USUAL / massing.south, _MOST_SHARE * massing.length))
+    alone = massing.lobby or massing.corridor > _HALL or capacity < _SMALL or storey.use.family == "lodging"
+    usual = min(max(left, 0.0), _USUAL) / massing.south
+    return length if alone or usual < _LEAST else max(length, min(usual, _MOST_SHARE * massing.length))
 
 
 _USUAL = 15.0
 """Square metres of a foyer beside the corridor of a building without a lift."""
 
-_HALL = 3.0
+_HALL = 2.9
 """Width from which a corridor is a foyer by itself, metres."""
 
 _SMALL = 90.0

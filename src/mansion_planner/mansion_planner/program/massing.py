@@ -97,12 +97,16 @@ def _circulation(decisions: Decisions, cores: CoreWish) -> tuple[float, float]:
     """Return what cores and lobby take, and the share of the rest that corridors take."""
     if is_hall(decisions):
         return cores.area, 0.0
-    entrance = 24.0 if cores.lifts else 0.0 if decisions.building.family == "home" else _FOYER_AREA
-    return cores.area + entrance, 0.17
+    return cores.area + (24.0 if cores.lifts else 0.0), 0.17
+
+
+def _foyer(decisions: Decisions, cores: CoreWish) -> float:
+    """Return the square metres of the foyer of a public building without a lift's lobby."""
+    alone = is_hall(decisions) or cores.lifts or decisions.building.family in ("home", "lodging")
+    return 0.0 if alone else _FOYER_AREA
 
 
 _FOYER_AREA = 14.0
-"""Square metres of the foyer of a public building without a lift's lobby."""
 
 
 def storey_area(
@@ -131,6 +135,7 @@ def storey_area(
         if least <= decisions.area * squeeze:
             return decisions.area, Record()
         return least, Record(downgrades=(_outgrown(decisions, storeys, allocation, fullest, least),))
+    fixed += _foyer(decisions, cores)
     asked = (need + fixed) / (1.0 - share) * 1.02
     usual = decisions.area
     if decisions.building.parti != "spine" or _is_counted(storeys, allocation):
@@ -312,7 +317,7 @@ def corridor_width(use: BuildingType, area: float) -> float:
     return max(usual, math.ceil(10.0 * asked) / 10.0)
 
 
-_FOYER = 3.6
+_FOYER = 3.0
 """Width of the corridor between rooms for audiences, which is where these wait and buy their tickets, metres."""
 
 

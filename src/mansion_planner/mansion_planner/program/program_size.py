@@ -44,7 +44,7 @@ def size_of_program(facts: BriefFacts, building: BuildingType, knowledge: Knowle
     if unsized or not (counted or told) or any(room.each for room in facts.rooms):
         return None
     least, usual = building.floor_area
-    gross = _GROSS_TOLD if told else _GROSS
+    gross = _GROSS_TOLD if told and building.main else _GROSS
     whole = gross * sum(_area(room, knowledge) for room in facts.rooms) + _ENTRANCE
     storeys = max(1, -(-int(whole) // int(1.1 * usual)))
     if storeys >= building.floors[0]:

@@ -99,8 +99,9 @@ def with_public_toilets(
     kept = list(rooms)
     own = [room for room in kept if room.kind.name in TOILETS]
     facts = [fact for fact in allocation.wanted.get(storey.index, ()) if fact.room_type in TOILETS]
+    children = any(room.kind.name in _CHILDRENS for top in kept for room in top.each())
     settled = (
-        any(fact.area or fact.count is not None for fact in facts)
+        any(fact.area or (fact.count or 0) > int(children) for fact in facts)
         if facts
         else not all(allocation.adds(name, storey.index) for name in TOILETS)
     )

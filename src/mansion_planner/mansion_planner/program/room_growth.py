@@ -71,7 +71,7 @@ def reach(rooms: Sequence[PlannedRoom]) -> float:
 def _reach(room: PlannedRoom) -> float:
     if room.fixed:
         return room.area
-    times = _FLEXIBLE if room.kind.flexible else _SERVING if _serves(room.kind) else _OTHERS
+    times = _FLEXIBLE if room.kind.flexible else _SERVING if _serves(room.kind) or room.kind.sleeping else _OTHERS
     times = times if room.stated else max(1.0, _UNASKED * times)
     return max(min(room.most, times * room.area), room.area)
 

@@ -30,7 +30,7 @@ _DEEPER = (1.0, 0.8, 1.25)
 _TO_THE_WALL = 0.4
 """What a passage that goes on to the outer wall costs, in units of long side to short one."""
 
-_OFF, _SLACK = 4.0, 0.15
+_OFF, _SLACK = 8.0, 0.15
 """The same for each share by which a room is smaller or larger than asked for, beyond a slack."""
 
 
@@ -119,10 +119,12 @@ def _laid(wishes: Sequence[Wish], width: float, depth: float, order: _Order, dee
         along = min(deeper * share * depth / (sides + share), depth - 0.1)
         boxes[end] = (0.0, along, width, depth)
     wide = [sides * area / sum(beside) for area in beside]
-    wide = widened(wide, [_DOOR_SIDE, _DOOR_SIDE]) if right else wide
+    least = [max([_DOOR_SIDE, *(wishes[n].short for n in column)]) for column in (left, right)]
+    wide = widened(wide, least) if right else wide
     for column, (x0, x1) in zip((left, right), ((0.0, wide[0]), (wide[0] + PASSAGE, width))):
         total = sum(wishes[n].area for n in column)
-        rises = widened([along * wishes[n].area / total for n in column], [_DOOR_SIDE] * len(column))
+        lengths = [_length_beside(wishes[n], x1 - x0) for n in column]
+        rises = widened([along * wishes[n].area / total for n in column], lengths)
         for number, y0, high in zip(column, itertools.accumulate(rises, initial=0.0), rises):
             boxes[number] = (x0, y0, x1, y0 + high)
     rooms = tuple(boxes[number] for number in range(len(wishes)))
@@ -130,6 +132,11 @@ def _laid(wishes: Sequence[Wish], width: float, depth: float, order: _Order, dee
     doors = min(box[3] - box[1] for number, box in boxes.items() if number != end)
     price = max(price, 10.0 * (_DOOR_SIDE - doors)) + 10.0 * max(along - _LONGEST, 0.0)
     return Cluster(rooms, (wide[0], 0.0, wide[0] + PASSAGE, along), price)
+
+
+def _length_beside(wish: Wish, wide: float) -> float:
+    """Return the least length along a passage of a room that is so wide across it, metres."""
+    return max(_DOOR_SIDE, wish.short if wide >= wish.long else wish.long)
 
 
 def _price(wishes: Sequence[Wish], rooms: Sequence[Box]) -> float:

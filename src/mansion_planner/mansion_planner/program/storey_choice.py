@@ -67,8 +67,8 @@ def _named_with_others(fact: RoomFact, decisions: Decisions) -> bool:
 def in_order(facts: Sequence[RoomFact], decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFact]:
     """Return facts in the order in which they get their storeys.
 
-    Rooms that follow others come after these, and free bathrooms come once bedrooms have their storeys. A public
-    building's rooms for any storey come after those for one of them, and fill up what these leave.
+    Rooms that follow others come after these, and free bathrooms come once bedrooms have their storeys. Several
+    of a kind for any storey of a public building come after those for one storey, and fill up what these leave.
     """
     home = decisions.building.family == "home"
 
@@ -78,7 +78,8 @@ def in_order(facts: Sequence[RoomFact], decisions: Decisions, knowledge: Knowled
         kind = knowledge.room(fact.room_type)
         if not fact.floors and _follows(kind):
             return 2
-        return int(not (home or fact.floors or fact.each) and kind.storey == "any")
+        several = number_of(fact) > 1 and not (home or fact.floors or fact.each)
+        return int(several and kind.storey == "any")
 
     return sorted(facts, key=turn)
 

@@ -6,6 +6,7 @@ from collections.abc import Collection, Sequence
 import msgspec
 
 from mansion_knowledge import KnowledgeBase, RoomEntry
+from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.household import STUDIO, use_of
 from mansion_planner.program.model import PlannedRoom, Storey
@@ -41,7 +42,7 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
     """Return the rooms that the brief asks for on a storey, as rooms to be placed."""
     rooms = []
     for fact in allocation.wanted[storey.index]:
-        if fact.room_type == storey.hub.name and fact.count == 1:
+        if fact.count == 1 and (fact.room_type == storey.hub.name or _is_way(fact, storey)):
             continue
         kind = knowledge.room(fact.room_type)
         kind = at_home(kind) if storey.use.family == "home" and fact.size != "large" else kind
@@ -53,6 +54,12 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
         else:
             rooms.append(room if placed or fact.size else _as_in_its_building(room, storey))
     return rooms
+
+
+def _is_way(fact: RoomFact, storey: Storey) -> bool:
+    """Whether a room of the brief is the corridor along which a storey's rooms lie anyway."""
+    along = storey.use.parti == "spine" and storey.use.family != "home" and storey.hub.zone == "circulation"
+    return along and fact.room_type == "corridor" and not fact.area
 
 
 _MOST_LIKE = 1.6
@@ -298,7 +305,7 @@ _CROWDED = 1.25
 _ONE_A_STOREY = frozenset(
     """
     lounge common_room laundry_room gym cafe bar sauna business_center computer_lab art_room break_room archive
-    training_room
+    training_room storage
     """.split()
 )
 """Rooms of general use that a storey is not filled up with more than once."""

@@ -34,10 +34,13 @@ _OF_EVERY_HOME = frozenset({"kitchen", "bedroom", "home_gym", "walk_in_closet", 
 _SHARED_BATHS = frozenset({"bathroom", "restroom", "shower_area", "toilet"})
 """Rooms that guests share where a brief asks for them: their bedrooms have none of their own."""
 
-_OF_GUESTS = frozenset({"bedroom", "bathroom"})
+_OF_GUESTS = frozenset({"bedroom"})
 """Rooms that guests of a hotel have as well."""
 
-_PRIVATE = frozenset({"bedroom", "master_bedroom", "living_room", "bathroom"})
+_WHERE_NOBODY_SLEEPS = frozenset({"education", "office", "culture", "retail", "food", "civic", "worship", "industry"})
+"""Families of buildings in which a bathroom is a toilet."""
+
+_PRIVATE = frozenset({"bedroom", "master_bedroom", "living_room"})
 
 
 def as_meant_in(building: BuildingType, facts: BriefFacts) -> BriefFacts:
@@ -149,6 +152,8 @@ def _meanings_in(building: BuildingType, facts: BriefFacts) -> _Meanings | None:
     stated = {room.room_type for room in facts.rooms}
     kinds = {plain: next((kind for kind in found if kind in own), "") for plain, found in _MEANT.items()}
     meant = {plain: kind for plain, kind in kinds.items() if kind and kind not in stated}
+    if building.family in _WHERE_NOBODY_SLEEPS and not stated & (_PRIVATE | {"toilet", "restroom"}):
+        meant["bathroom"] = "restroom"
     if stated & _SHARED_BATHS:
         meant.pop("bedroom", "")
     private = _PRIVATE - _OF_GUESTS if building.family == "lodging" else _PRIVATE
