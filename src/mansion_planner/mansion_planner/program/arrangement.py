@@ -37,6 +37,7 @@ from mansion_planner.program.model import (
 )
 from mansion_planner.program.outline import Envelope, Frame, envelope_of
 from mansion_planner.program.plan_quality import (
+    aspect,
     carved,
     comes_out_as_strips,
     crosswise,
@@ -138,11 +139,17 @@ def _ill_shaped(layout: Arrangement, *, home: bool) -> tuple[int, float]:
         + len(crosswise(sketch))
         for sketch in own
     )  # fmt: skip
+    if layout.massing.hall and not home:
+        ill += sum(aspect(sketch.corridors[0].boxes) > _LONG_HALL for sketch in own)
     ill += sum(_unlit(layout.sketches[storey.index], layout.massing) for storey in layout.storeys if _is_plain(storey))
     if home:
         above = [storey for storey in layout.storeys if storey.copy is None and storey.index >= 1]
         ill += home_faults([(s, layout.sketches[s.index], layout.envelopes[s.index].area) for s in above])
     return sum(len(shallow_garages(sketch)) for sketch in own), ill
+
+
+_LONG_HALL = 2.4
+"""Length to width from which on a hall that other rooms line is too long."""
 
 
 def _is_plain(storey: Storey) -> bool:

@@ -16,6 +16,7 @@ __all__ = [
     "front_order",
     "misfit_of_exchange",
     "rooms_at_door",
+    "with_central",
     "with_rows",
 ]
 
@@ -337,6 +338,28 @@ def bring_to_end(
                 row.append(row.pop(place))
                 return with_rows(segments, rows)
     return list(segments)
+
+
+_CENTRAL, _SERVED = frozenset({"nurse_station"}), frozenset({"patient_room", "resident_room", "hospital_ward"})
+"""Rooms from which others are watched, and those others."""
+
+_FEW_SERVED = 3
+"""Rooms that are watched from anywhere beside them."""
+
+
+def with_central(segments: Sequence[Segment]) -> list[Segment]:
+    """Return the segments, a room from which others are watched in the middle of those that its stretch has."""
+    rows = []
+    for segment in segments:
+        row = list(segment.blocks)
+        central = [block for block in row if block.host.kind.name in _CENTRAL]
+        served = [number for number, block in enumerate(row) if block.host.kind.name in _SERVED]
+        if len(central) == 1 and len(served) >= _FEW_SERVED:
+            middle = row[served[len(served) // 2]]
+            row.remove(central[0])
+            row.insert(row.index(middle), central[0])
+        rows.append(row)
+    return with_rows(segments, rows)
 
 
 def with_rows(segments: Sequence[Segment], rows: Sequence[Sequence[Block]]) -> list[Segment]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import msgspec
 
 from mansion_knowledge.norms import load_norms
-from mansion_planner.program.bands import Segment, bring_to_end, fill_segments, front_order, rooms_at_door, with_rows
+from mansion_planner.program.bands import Segment, bring_to_end, fill_segments, front_order, rooms_at_door, with_central, with_rows
 from mansion_planner.program.blocks import DOOR, group_blocks, lay_block, of_full_depth, passage_of
 from mansion_planner.program.home_orders import best_sketch, home_price
 from mansion_planner.program.model import (
@@ -70,7 +70,7 @@ def sketch_storey(
     rest = of_full_depth(front_order(rest, rooms_at_door(storey, pairs)), ends, depth, pairs)
     blocks = group_blocks(rest, depth, pairs, passages=storey.use.family != "home")
     filled = bring_to_end(fill_segments(segments, blocks, pairs), stop, ends, pairs)
-    filled = _room_beside_lifts(keep_apart(filled, apart, pairs))
+    filled = with_central(_room_beside_lifts(keep_apart(filled, apart, pairs)))
     if storey.use.family != "home":
         return _assemble(massing, storey, hub_id, filled, ends, stop, length)
     return best_sketch(
@@ -450,7 +450,7 @@ def capacity(massing: Massing, storey: Storey) -> float:
     return total
 
 
-_HALL = 200.0
+_HALL = 260.0
 """Square metres from which a room closes the bar though a stair stands at its end."""
 
 

@@ -219,9 +219,22 @@ def _for_column(east: list[Block], column: float) -> list[Block]:
     found: list[Block] = []
     for block in east:
         deep = max((least_sides(room)[1] for room in block.smalls), default=0.0)
-        apart = [block] if column - deep >= LEAST_FRONT else [Block(room) for room in block.fronts()]
+        apart = _apart(block, column) if column - deep >= LEAST_FRONT else [Block(room) for room in block.fronts()]
         found += [_turned(each, column) if not each.smalls else each for each in apart]
     return found
+
+
+_LONG = 2.4
+"""Long side to the short one of a small room up to which it lies in a column by itself."""
+
+
+def _apart(block: Block, column: float) -> list[Block]:
+    """Return a block of the far side and, before it, those of its small rooms that are well shaped by themselves."""
+    alone = [room for room in block.smalls if room.area * _LONG >= column**2 and room.area >= DOOR_WALL * column]
+    if not alone:
+        return [block]
+    kept = tuple(room for room in block.smalls if not any(room is other for other in alone))
+    return [*map(Block, alone), msgspec.structs.replace(block, smalls=kept)]
 
 
 def _turned(block: Block, column: float) -> Block:

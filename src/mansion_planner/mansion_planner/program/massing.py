@@ -93,6 +93,17 @@ _HOPELESS = 1.5
 """From what share of the stated area on no building can hold the rooms asked for."""
 
 
+_SEAT = 2.2
+"""Square metres of a hall for each person whom it is for."""
+
+
+def _hub_of(storey: Storey, decisions: Decisions, allocation: Allocation) -> float:
+    """Return the square metres that the main room of a hall needs."""
+    people = sum(occupants.count for occupants in decisions.facts.occupants)
+    usual = max(_SEAT * people, storey.hub.least) if people else storey.hub.usual
+    return hub_area(storey, allocation) or (usual if allocation.told else storey.hub.least)
+
+
 def _circulation(decisions: Decisions, cores: CoreWish) -> tuple[float, float]:
     """Return what cores and lobby take, and the share of the rest that corridors take."""
     if is_hall(decisions):
@@ -123,7 +134,7 @@ def storey_area(
     need, fullest, least = 0.0, storeys[0], 0.0
     for storey in storeys:
         rooms = base_rooms(storey, allocation, knowledge)
-        hub = hub_area(storey, allocation) or storey.hub.least if is_hall(decisions) else 0.0
+        hub = _hub_of(storey, decisions, allocation) if is_hall(decisions) else 0.0
         wished = sum(room.gross for room in rooms)
         wished = listed_area(storey, allocation, knowledge) if allocation.told else wished
         tight = sum(max(r.least, 0.0) for room in rooms for r in room.each()) + hub
@@ -231,8 +242,14 @@ def _typical(
 
 
 def typical_room(storeys: list[Storey], allocation: Allocation, knowledge: KnowledgeBase) -> float:
-    """Return the median area of the rooms above 8 m2 on a typical storey, square metres."""
+    """Return the median area of the rooms above 8 m2 on a typical storey, square metres.
+
+    Where the brief tells what the building holds, it is that of the rooms which take most of the floor.
+    """
     areas: list[float] = []
+    if allocation.told:
+        told = [room.gross for s in storeys if s.index >= 1 for room in base_rooms(s, allocation, knowledge)]
+        return _half_of_floor(told)
     for storey in storeys:
         if storey.index < 1:
             continue
@@ -242,6 +259,16 @@ def typical_room(storeys: list[Storey], allocation: Allocation, knowledge: Knowl
             areas += [gross] * (entry.count + 2 * entry.repeat)
     areas = sorted(area for area in areas if 8.0 <= area <= 90.0)
     return areas[len(areas) // 2] if areas else 40.0
+
+
+def _half_of_floor(areas: Sequence[float]) -> float:
+    """Return the area of the room in which half of the floor of all is reached, the smallest first."""
+    ordered, reached = sorted(areas), 0.0
+    for area in ordered:
+        reached += area
+        if 2.0 * reached >= sum(ordered):
+            return area
+    return 40.0
 
 
 @dataclass(frozen=True)
@@ -339,9 +366,9 @@ def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
         depth = min(max(math.sqrt(area / 1.4), 7.0), 11.5)
         return [_domestic_bands(d, corridor, stair) for d in _around(depth, 7, 14)]
     if cores.stairs and area >= 150:
-        south = min(max(math.sqrt(1.35 * wish.room), 4.0), 8.0)
+        south = min(max(math.sqrt(1.35 * wish.room), 4.0), _DEEPEST if wish.room > _LARGE else 8.0)
         depth = min(max(stair + corridor + south, math.sqrt(area / 2.6)), math.sqrt(area / 1.2))
-        bands = [(stair, corridor, d - stair - corridor) for d in _around(depth, 11, 17)]
+        bands = [(stair, corridor, d - stair - corridor) for d in _around(depth, 11, 19 if wish.room > _LARGE else 17)]
         return [band for band in bands if band[2] >= _SHALLOWEST] or bands
     if cores.stairs:
         depth = min(max(math.sqrt(area / 1.25), 8.0), 10.5)
@@ -353,6 +380,9 @@ def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
     depth = min(max(math.sqrt(area / 1.5), 5.0), 16.0)
     return [((d - corridor) / 2, corridor, (d - corridor) / 2) for d in _around(depth, 5, 17)]
 
+
+_LARGE, _DEEPEST = 90.0, 10.0
+"""Area of a typical room from which on the rooms across the corridor from a public stair are so deep, in m2 and m."""
 
 _SHALLOWEST = 3.0
 """Least depth of the rooms across the corridor from a public stair, metres."""

@@ -33,6 +33,9 @@ _OF_CHILDREN = 3.0
 _CHILDRENS = frozenset({"kindergarten_classroom", "nursery_room"})
 """Rooms of children who go to washrooms of their own."""
 
+_OF_GUESTS = frozenset({"restaurant", "ballroom", "conference_hall"})
+"""Rooms of a hotel that many come to who do not sleep there."""
+
 _LOOSE = 0.4
 """Share of a storey's rooms without a stated area from which on toilets take more than the rules ask for."""
 
@@ -169,7 +172,7 @@ def _need_of(
     """
     norms, family, kind = load_norms(), storey.use.family, storey.use.name
     rule = norms.rules["separate_toilets"]
-    if not rule.holds_for(family):
+    if not rule.holds_for(family) and not any(room.kind.name in _OF_GUESTS for room in rooms):
         return None
     passing = norms.people(storey.hub.name, hub, knowledge)
     here, later = (passing + _people_in(each, knowledge) for each in (rooms, grown))

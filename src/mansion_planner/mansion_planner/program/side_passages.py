@@ -21,7 +21,7 @@ PASSAGE = 1.5
 _DOOR_SIDE = 1.4
 """Least length of wall along a passage for a room's door, metres."""
 
-_LONGEST = 4.6
+_LONGEST = 4.0
 """Most metres of a passage: with the way to the middle of the corridor, the dead end that the rules allow in public."""
 
 _DEEPER = (1.0, 0.8, 1.25)
@@ -32,6 +32,10 @@ _TO_THE_WALL = 0.4
 
 _OFF, _SLACK = 8.0, 0.15
 """The same for each share by which a room is smaller or larger than asked for, beyond a slack."""
+
+
+_LACKING = 200.0
+"""The same for each metre that a side lacks."""
 
 
 @dataclass(frozen=True)
@@ -151,7 +155,7 @@ def _price(wishes: Sequence[Wish], rooms: Sequence[Box]) -> float:
 
 def _price_of_sides(wish: Wish, box: Box) -> float:
     short, long = sorted((box[2] - box[0], box[3] - box[1]))
-    return long / max(short, 0.1) + 10.0 * max(wish.short - short, wish.long - long, 0.0)
+    return long / max(short, 0.1) + _LACKING * max(wish.short - short, wish.long - long, 0.0)
 
 
 @dataclass(frozen=True)

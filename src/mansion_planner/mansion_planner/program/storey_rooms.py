@@ -149,7 +149,7 @@ def fill_storey(
         kind = knowledge.room(entry.room_type)
         if sum(room.least for top in rooms for room in top.each()) + kind.least <= _CROWDED * budget:
             rooms.append(allocation.added(entry, knowledge))
-    described = is_described(rooms, budget)
+    described = allocation.told or is_described(rooms, budget)
     rooms = _with_listed(
         storey, allocation, knowledge, rooms, budget, elsewhere, needed=needed, beside_hub=not hub_share
     )
@@ -208,12 +208,13 @@ def _with_listed(
     filled = list(rooms)
     present = {fact.room_type for fact in allocation.wanted[storey.index]}
     used = sum(room.gross for room in filled)
-    described = is_described(rooms, budget)
+    described = allocation.told or is_described(rooms, budget)
     home = storey.use.family == "home"
     extras = (storey.use.filler or knowledge.groups.filler_of(storey.use.family)) if home else ()
     for entry in (entry for entry in entries_of(storey) if entry not in needed):
         kind = knowledge.room(entry.room_type)
-        if described and not is_needed(kind, storey.use) and reach(filled) >= budget:
+        enough = reach(filled) >= budget or (allocation.told and not beside_hub)
+        if described and not is_needed(kind, storey.use) and enough:
             continue
         if kind.name == "bathroom" and _has_baths(filled):
             continue

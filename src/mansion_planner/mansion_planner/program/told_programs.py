@@ -28,4 +28,5 @@ def tells_program(facts: BriefFacts, building: BuildingType, knowledge: Knowledg
     told = {knowledge.room(room.room_type).counts_as for room in facts.rooms if room.count is not None}
     told |= {room.room_type for room in facts.rooms if room.count is not None}
     several = len(told) >= _KINDS or any((room.count or 0) > 1 for room in facts.rooms)
+    several |= building.parti == "hall"  # its name tells the hall that it is
     return bool(building.main) and building.main <= told and several
