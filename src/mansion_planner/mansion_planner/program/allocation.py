@@ -12,7 +12,7 @@ from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
 from mansion_planner.program.household import private_types
 from mansion_planner.program.model import PlannedRoom, Storey
-from mansion_planner.program.people_rooms import people_rooms, place_rooms, professional_rooms
+from mansion_planner.program.people_rooms import bed_rooms, people_rooms, place_rooms, professional_rooms
 from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_choice import floors_for, in_order, is_free_bathroom, number_of
@@ -39,7 +39,7 @@ class Allocation:
     furniture : dict of str to float
         Square metres that the furniture wanted in rooms of a name needs.
     places : frozenset of str
-        Names of rooms that are as large as the places of those who work there need, whatever is usual.
+        Names of rooms that are as large as the places of those who work or sleep there need, whatever is usual.
     households : dict of str to RoomFact
         What every unit holds that a storey adds by itself, by the room type that it counts as.
     told : bool
@@ -160,7 +160,7 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
         unwanted=_unwanted_types(wanted, decisions, knowledge),
         complete=_complete_storeys(decisions, storeys),
         furniture=furniture,
-        places=frozenset() if places is None else frozenset({places[0].name}),
+        places=bed_rooms(decisions) | (frozenset() if places is None else {places[0].name}),
         households={knowledge.room(fact.room_type).counts_as: fact for fact in decisions.facts.households},
         told=tells_program(decisions.facts, decisions.building, knowledge),
     )

@@ -20,6 +20,7 @@ from mansion_planner.program.dining_kitchens import with_kitchen
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
 from mansion_planner.program.foyers import foyer_length
 from mansion_planner.program.hall_sketch import most_fronts
+from mansion_planner.program.hall_wings import hall_of_wing, with_hall_wing
 from mansion_planner.program.home_orders import HOME_PAIRS
 from mansion_planner.program.home_quality import home_faults
 from mansion_planner.program.household import STUDIO
@@ -42,6 +43,7 @@ from mansion_planner.program.plan_quality import (
     comes_out_as_strips,
     crosswise,
     dark_rooms,
+    long_halls,
     shallow_garages,
     shrunk_rooms,
     strips,
@@ -53,6 +55,7 @@ from mansion_planner.program.shared_washrooms import for_sleepers
 from mansion_planner.program.storey_forms import capacity, form_of, sketched
 from mansion_planner.program.storey_rooms import (
     MOST_ROOMS,
+    base_rooms,
     fill_storey,
     fit_areas,
     hub_area,
@@ -98,12 +101,15 @@ def best_arrangement(
     # Of several depths without a fault the first is taken: seeds begin at different ones.
     free = home and not decisions.area_stated
     first = int(item_generator(decisions.seed, "first depth").integers(_FIRST)) if free else 0
+    asked = {storey.index: base_rooms(storey, allocation, knowledge) for storey in storeys}
+    hall = hall_of_wing(decisions, storeys, asked)
     for attempt in range(attempts):
         growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
         generator = item_generator(decisions.seed, "massing", attempt)
         varied = replace(wish, area=wish.area * growth, variant=(attempt + first) % attempts)
         massing = _massing(decisions, varied, generator)
         shaped = set_back(decisions, massing, storeys, allocation, knowledge)
+        shaped = with_hall_wing(massing, shaped, hall)
         layout = _arranged(decisions, massing, shaped, allocation, knowledge, generator)
         missed, (shallow, ill) = _missed(decisions, wish, layout), _ill_shaped(layout, home=home)
         price = missed, shallow, ill
@@ -136,7 +142,7 @@ def _ill_shaped(layout: Arrangement, *, home: bool) -> tuple[int, float]:
     own = _own_sketches(layout)
     ill: float = sum(
         len(strips(sketch)) + len(carved(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch))
-        + len(crosswise(sketch))
+        + len(crosswise(sketch)) + len(long_halls(sketch))
         for sketch in own
     )  # fmt: skip
     if layout.massing.hall and not home:
@@ -473,7 +479,7 @@ def _with_rooms(
         asked = sum(r.gross for r in chosen)
         wanted = sum(r.gross for r in chosen if r.stated)
         share = max(storey.hub.least, 0.5 * share, min(share, room - wanted))
-        room = min(room - share, asked if takes_rest else max(asked, 0.45 * room))
+        room = min(room - share, asked if takes_rest or allocation.told else max(asked, 0.45 * room))
     foyer = 0.0 if decisions.free_form else foyer_length(storey, form, chosen, room, stated)
     rooms = name_rooms(fit_areas(chosen, room - foyer * form.south), storey.hub.name)
     return replace(storey, rooms=rooms, foyer=foyer)

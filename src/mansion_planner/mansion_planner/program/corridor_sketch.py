@@ -59,8 +59,9 @@ def sketch_storey(
         Those that must not share a wall.
     """
     length = _extent(massing, storey)
-    ends, rest = _end_rooms(massing, storey.rooms, length)
+    ends, rest = _end_rooms(massing, storey, length)
     stop = length - (sum(room.gross for room in ends) + box_area(_corner(massing)) * bool(ends)) / massing.depth
+    stop = massing.length if storey.hall_wing else stop
     if _is_one_room(massing, storey):
         ends, rest = list(storey.rooms), []
         stop = max(pocket(massing), lobby_length(massing, storey)) + _LANDING
@@ -434,7 +435,7 @@ def _extent(massing: Massing, storey: Storey) -> float:
 def capacity(massing: Massing, storey: Storey) -> float:
     """Return the area that rooms can take on a storey, square metres."""
     length = _extent(massing, storey)
-    total = length * massing.depth - length * massing.corridor
+    total = length * massing.depth - (massing.length if storey.hall_wing else length) * massing.corridor
     for wing in massing.wings:
         total += (wing.x1 - wing.x0 - massing.corridor) * wing.reach
         band = massing.north if wing.north else massing.south
@@ -479,13 +480,15 @@ def _room_beside_lifts(segments: Sequence[Segment]) -> list[Segment]:
     return with_rows(segments, rows)
 
 
-def _end_rooms(
-    massing: Massing, rooms: Sequence[PlannedRoom], length: float
-) -> tuple[list[PlannedRoom], list[PlannedRoom]]:
+def _end_rooms(massing: Massing, storey: Storey, length: float) -> tuple[list[PlannedRoom], list[PlannedRoom]]:
     """Choose the rooms that close the bar over its whole depth: one too large for a band, or two for audiences.
 
-    Where a stair stands at that end, only a hall does, with the stair in its corner.
+    Where a stair stands at that end, only a hall does, with the stair in its corner; the hall of a wing lies beyond it.
     """
+    rooms = storey.rooms
+    if storey.hall_wing:
+        hall = max(rooms, key=lambda room: (room.kind.whole and room.stated, room.area, room.id))
+        return [hall], [room for room in rooms if room is not hall]
     if massing.wings:
         return [], list(rooms)
     pair = _side_by_side(massing, rooms, length)
@@ -517,10 +520,19 @@ def _side_by_side(massing: Massing, rooms: Sequence[PlannedRoom], length: float)
 _PAIR = 2
 
 
-def _closing(massing: Massing, ends: Sequence[PlannedRoom], stop: float, length: float) -> list[Placement]:
-    """Return the places of the rooms that close the bar: over its whole depth, two of them on either side of its middle."""
+def _closing(
+    massing: Massing, ends: Sequence[PlannedRoom], stop: float, length: float, *, beyond: bool
+) -> list[Placement]:
+    """Return the places of the rooms that close the bar over its whole depth, two on either side of its middle.
+
+    Parameters
+    ----------
+    beyond : bool
+        The room lies beyond the stair at the end.
+    """
     if len(ends) < _PAIR:
-        return [Placement(room, _around_corner(massing, stop, length), _AT_END) for room in ends]
+        boxes: list[Box] = [(stop, 0.0, length, massing.depth)] if beyond else _around_corner(massing, stop, length)
+        return [Placement(room, boxes, _AT_END) for room in ends]
     first, second = ends
     middle = massing.south + massing.corridor / 2
     spare = massing.corridor / 2 - DOOR_WALL
@@ -586,9 +598,9 @@ def _assemble(
     length: float,
 ) -> Sketch:
     rooms, fronts, passages = _placed(massing, segments)
-    rooms += _closing(massing, ends, stop, length)
+    rooms += _closing(massing, ends, stop, length, beyond=storey.hall_wing)
     lobby = lobby_length(massing, storey)
-    corridors = _corridors_of(massing, hub_id, fronts, stop, lobby, ended=bool(ends))
+    corridors = _corridors_of(massing, hub_id, fronts, stop, lobby, ended=bool(ends) and not storey.hall_wing)
     corridors = with_passages(corridors, [c for c in corridors if _is_main(c)], passages)
     rooms, corridors = _with_niche(_behind_lifts(massing, storey), rooms, corridors)
     rooms = _with_parents(_with_pocket(massing, rooms), corridors, fronts)
@@ -602,7 +614,7 @@ def _assemble(
     for passage in passages:
         if passage.bar == "main":
             bearing[passage.front] = _without(bearing[passage.front], passage.x0, passage.x1)
-    closing = ends[0].id if ends and far_stair(massing) else ""
+    closing = ends[0].id if ends and far_stair(massing) and not storey.hall_wing else ""
     return Sketch(corridors, rooms, _core_parents(massing, corridors, closing), bearing=bearing)
 
 

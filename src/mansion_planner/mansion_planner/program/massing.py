@@ -17,6 +17,7 @@ from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.called_sizes import called_size
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
 from mansion_planner.program.exit_stairs import second_stair
+from mansion_planner.program.hall_wings import hall_of_wing
 from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
 from mansion_planner.program.plan_quality import FACING
 from mansion_planner.program.shape_sizes import holds_shape, least_area
@@ -113,7 +114,8 @@ def _circulation(decisions: Decisions, cores: CoreWish) -> tuple[float, float]:
 
 def _foyer(decisions: Decisions, cores: CoreWish) -> float:
     """Return the square metres of the foyer of a public building without a lift's lobby."""
-    alone = is_hall(decisions) or cores.lifts or decisions.building.family in ("home", "lodging")
+    units = any(fact.unit for fact in decisions.facts.rooms)
+    alone = is_hall(decisions) or cores.lifts or decisions.building.family == "home" or units
     return 0.0 if alone else _FOYER_AREA
 
 
@@ -132,11 +134,14 @@ def storey_area(
     """
     fixed, share = _circulation(decisions, cores)
     need, fullest, least = 0.0, storeys[0], 0.0
+    wanted = {storey.index: base_rooms(storey, allocation, knowledge) for storey in storeys}
+    wing = hall_of_wing(decisions, storeys, wanted)
     for storey in storeys:
-        rooms = base_rooms(storey, allocation, knowledge)
+        rooms = wanted[storey.index]
         hub = _hub_of(storey, decisions, allocation) if is_hall(decisions) else 0.0
         wished = sum(room.gross for room in rooms)
         wished = listed_area(storey, allocation, knowledge) if allocation.told else wished
+        wished -= wing.area if wing is not None and storey.role == "ground" else 0.0
         tight = sum(max(r.least, 0.0) for room in rooms for r in room.each()) + hub
         least = max(least, (tight + fixed) / (1.0 - 0.6 * share))
         if wished + hub > need:

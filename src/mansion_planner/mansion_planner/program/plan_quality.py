@@ -13,6 +13,7 @@ __all__ = [
     "crosswise",
     "dark_rooms",
     "fill",
+    "long_halls",
     "ragged",
     "shallow_garages",
     "shrunk_rooms",
@@ -69,6 +70,15 @@ def carved(sketch: Sketch) -> list[Placement]:
 def strips(sketch: Sketch) -> list[Placement]:
     """Return the rooms of a sketch that are long and narrow."""
     return [placement for placement in sketch.rooms if placement.boxes and aspect(placement.boxes) > STRIP]
+
+
+_LONG_HALL, _HALL = 2.6, 100.0
+"""Long side to the short one from which a hall is too long, and the area of a hall, square metres."""
+
+
+def long_halls(sketch: Sketch) -> list[Placement]:
+    """Return the large rooms of a sketch that are of use as rectangles alone and long for that."""
+    return [p for p in sketch.rooms if p.room.kind.whole and p.area >= _HALL and p.boxes and aspect(p.boxes) > _LONG_HALL]
 
 
 FACING = frozenset({"cinema_hall", "auditorium", "lecture_hall"})

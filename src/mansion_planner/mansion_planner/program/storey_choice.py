@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from mansion_knowledge import KnowledgeBase, RoomType
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.decisions import Decisions
+from mansion_planner.program.hall_wings import is_free_for_wing, is_hall_of_wing
 from mansion_planner.program.model import Storey
 from mansion_planner.program.storeys import entries_of, floors_of
 
@@ -46,7 +47,7 @@ def floors_for(
     if not beside or count > 1:
         partners = _with_partners(fact, knowledge, storeys, wanted)
         beside = partners or _preferred(fact, knowledge, decisions, storeys, wanted)
-    return _emptiest(fact, count, beside, wanted, knowledge), ""
+    return _emptiest(fact, count, beside, wanted, knowledge, decisions), ""
 
 
 def _named_with_others(fact: RoomFact, decisions: Decisions) -> bool:
@@ -90,9 +91,19 @@ def _emptiest(
     floors: Sequence[int],
     wanted: Mapping[int, Sequence[RoomFact]],
     knowledge: KnowledgeBase,
+    decisions: Decisions,
 ) -> list[int]:
-    """Return a storey for each of `count` rooms: the one where the brief asks for the least area so far."""
-    areas = {floor: [_area(other, knowledge) for other in wanted[floor]] for floor in floors}
+    """Return a storey for each of `count` rooms: the one where the brief asks for the least area so far.
+
+    A hall that gets a wing of its own takes none of its storey.
+    """
+    wing = is_free_for_wing(decisions)
+
+    def counted(other: RoomFact) -> float:
+        area = _area(other, knowledge)
+        return 0.0 if wing and is_hall_of_wing(knowledge.room(other.room_type), area) else area
+
+    areas = {floor: [counted(other) for other in wanted[floor]] for floor in floors}
     found = []
     for _ in range(count):
         floor = min(floors, key=lambda f: (sum(areas[f]), f))

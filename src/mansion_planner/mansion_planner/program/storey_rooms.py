@@ -10,6 +10,7 @@ from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.household import STUDIO, use_of
 from mansion_planner.program.model import PlannedRoom, Storey
+from mansion_planner.program.people_rooms import SLEPT_IN_TOGETHER
 from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.room_growth import (
     at_home,
@@ -51,9 +52,15 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
         room = planned_room(kind, knowledge, area=area, fact=fact)
         if not fact.known and fact.name.endswith("_room"):
             rooms.append(room if room.fixed else msgspec.structs.replace(room, most=min(room.most, _MOST_LIKE * area)))
+        elif placed and kind.name in SLEPT_IN_TOGETHER and not room.fixed:
+            rooms.append(msgspec.structs.replace(room, most=min(room.most, _MOST_BY_PLACES * area)))
         else:
             rooms.append(room if placed or fact.size else _as_in_its_building(room, storey))
     return rooms
+
+
+_MOST_BY_PLACES = 1.25
+"""Greatest share of what its beds need for a room whose beds the brief counts."""
 
 
 def _is_way(fact: RoomFact, storey: Storey) -> bool:
@@ -162,7 +169,10 @@ def fill_storey(
                 break
             rooms.append(room)
             used += room.gross
-    return _topped_up(storey, allocation, knowledge, rooms, budget, most_rooms, elsewhere, described=described)
+    return _topped_up(
+        storey, allocation, knowledge, rooms, budget, most_rooms, elsewhere,
+        described=described, beside_hub=not hub_share,
+    )  # fmt: skip
 
 
 _MAIN, _MOST_MAIN = 0.45, 0.8
@@ -329,14 +339,15 @@ def _topped_up(
     elsewhere: Collection[str],
     *,
     described: bool,
+    beside_hub: bool,
 ) -> list[PlannedRoom]:
     """Return the rooms, with others of general use where the brief settles the number of those that would fill up.
 
     A storey that the brief describes gets none as soon as its rooms can grow to fill it.
     """
     filled = list(rooms)
-    if storey.hub.zone == "service" or storey.hub.name == STUDIO:
-        return filled  # a hall for cars, goods or machines takes what is left, and so does a studio
+    if storey.hub.zone == "service" or storey.hub.name == STUDIO or (allocation.told and not beside_hub):
+        return filled  # a hall for cars, goods or machines takes what is left, and so do a studio and a hall of guests
     names = storey.use.filler or knowledge.groups.filler_of(storey.use.family)
     home = storey.use.family == "home"
     once = storey.use.family in ("home", "lodging")
