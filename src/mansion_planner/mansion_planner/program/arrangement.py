@@ -146,7 +146,8 @@ def _ill_shaped(layout: Arrangement, *, home: bool) -> tuple[int, float]:
         for sketch in own
     )  # fmt: skip
     if layout.massing.hall and not home:
-        ill += sum(aspect(sketch.corridors[0].boxes) > _LONG_HALL for sketch in own)
+        entered = [layout.sketches[s.index] for s in layout.storeys if s.role in _ENTERED]
+        ill += sum(aspect(sketch.corridors[0].boxes) > _LONG_HALL for sketch in entered)
     ill += sum(_unlit(layout.sketches[storey.index], layout.massing) for storey in layout.storeys if _is_plain(storey))
     if home:
         above = [storey for storey in layout.storeys if storey.copy is None and storey.index >= 1]

@@ -17,6 +17,9 @@ _NEEDED: Final = frozenset(
 )
 """Rooms of a type's own list that serve the others, whatever the brief asks for."""
 
+_NEEDED_OF_LIST: Final = frozenset({"commercial_kitchen", "loading_dock"})
+"""Those that serve rooms of the list, which a building has not where the brief tells what it holds."""
+
 _DESCRIBED: Final = 0.2
 """Share of the area for rooms that those of the brief take where it describes the storey."""
 
@@ -54,13 +57,14 @@ def is_described(asked: Sequence[PlannedRoom], capacity: float) -> bool:
     return sum(room.gross for room in asked) >= _DESCRIBED * capacity
 
 
-def is_needed(kind: RoomType, use: BuildingType) -> bool:
+def is_needed(kind: RoomType, use: BuildingType, *, told: bool) -> bool:
     """Whether a storey has a room of its type's own list also where the brief describes it.
 
     It serves the others, such a building does not work without it, or it is what such a building is known by: the
-    bookshelves of a library.
+    bookshelves of a library. `told` says whether the brief tells what the building holds.
     """
-    return kind.name in _NEEDED | (use.needed or frozenset()) or kind.suggests == use.name
+    usual = _NEEDED if told else _NEEDED | _NEEDED_OF_LIST
+    return kind.name in usual | (use.needed or frozenset()) or kind.suggests == use.name
 
 
 def reach(rooms: Sequence[PlannedRoom]) -> float:

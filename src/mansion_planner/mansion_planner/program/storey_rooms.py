@@ -104,7 +104,7 @@ def listed_area(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase
     for entry in entries_of(storey):
         if not allocation.adds(entry.room_type, storey.index) or entry.repeat:
             continue
-        if allocation.told and entry not in main and not is_needed(knowledge.room(entry.room_type), storey.use):
+        if allocation.told and entry not in main and not is_needed(knowledge.room(entry.room_type), storey.use, told=True):
             continue
         total += entry.count * allocation.added(entry, knowledge).gross
     return total
@@ -224,7 +224,7 @@ def _with_listed(
     for entry in (entry for entry in entries_of(storey) if entry not in needed):
         kind = knowledge.room(entry.room_type)
         enough = reach(filled) >= budget or (allocation.told and not beside_hub)
-        if described and not is_needed(kind, storey.use) and enough:
+        if described and not is_needed(kind, storey.use, told=allocation.told) and enough:
             continue
         if kind.name == "bathroom" and _has_baths(filled):
             continue
