@@ -423,7 +423,10 @@ def _check_references(knowledge: KnowledgeBase) -> None:
         check(building.name, [RoomEntry(building.hub), RoomEntry(building.hub_upper)])
         for entries in building.storeys.values():
             check(building.name, entries)
-        check(building.name, [RoomEntry(name) for name in (*building.filler, *sorted(building.main | (building.needed or set())))])
+        check(
+            building.name,
+            [RoomEntry(name) for name in (*building.filler, *sorted(building.main | (building.needed or set())))],
+        )
         check(building.name, [entry for entry in (building.seats, building.places) if entry is not None])
         if building.style not in knowledge.styles:
             raise MansionError(

@@ -43,12 +43,7 @@ def test_rooms_that_must_have_a_window_reach_an_outer_wall(brief: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("brief", "seed"),
-    [
-        ("a two-storey casino", 0),
-        ("a two-storey casino", 1),
-        ("a two-storey museum", 0),
-    ],
+    ("brief", "seed"), [("a two-storey casino", 0), ("a two-storey casino", 1), ("a two-storey museum", 0)]
 )
 def test_a_lift_stands_at_the_corridor_where_a_lobby_would_be_a_long_dead_end(brief: str, seed: int) -> None:
     building = planned(brief, seed)

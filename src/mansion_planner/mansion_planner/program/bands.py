@@ -17,6 +17,7 @@ __all__ = [
     "misfit_of_exchange",
     "rooms_at_door",
     "with_central",
+    "with_door_first",
     "with_rows",
 ]
 
@@ -338,6 +339,20 @@ def bring_to_end(
                 row.append(row.pop(place))
                 return with_rows(segments, rows)
     return list(segments)
+
+
+def with_door_first(segments: Sequence[Segment], at_door: Collection[str]) -> list[Segment]:
+    """Return the segments, a stretch of the main corridor turned round whose rooms beside the entrance lie far from it.
+
+    Neighbours stay neighbours.
+    """
+    rows = []
+    for segment in segments:
+        row = list(segment.blocks)
+        places = [number for number, block in enumerate(row) if any(_holds(block, name) for name in at_door)]
+        far = bool(places) and sum(places) > len(places) * (len(row) - 1) / 2
+        rows.append(row[::-1] if far and segment.bar == "main" else row)
+    return with_rows(segments, rows)
 
 
 _CENTRAL, _SERVED = frozenset({"nurse_station"}), frozenset({"patient_room", "resident_room", "hospital_ward"})

@@ -386,7 +386,7 @@ def _lay_one(
     area = child.area * scale
     high = _front_depth(area, depth)
     wide = area / high
-    if DOOR > width - wide and (width - DOOR) * _DEEPEST_BATH * depth >= area and width - DOOR >= _NARROWEST_BATH:
+    if width - wide < DOOR and (width - DOOR) * _DEEPEST_BATH * depth >= area and width - DOOR >= _NARROWEST_BATH:
         wide = width - DOOR
         high = area / wide
     if width - wide >= DOOR and area < 0.4 * host.area * scale:

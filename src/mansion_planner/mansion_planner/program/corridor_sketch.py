@@ -7,11 +7,20 @@ from dataclasses import replace
 import msgspec
 
 from mansion_knowledge.norms import load_norms
-from mansion_planner.program.bands import Segment, bring_to_end, fill_segments, front_order, rooms_at_door, with_central, with_rows
+from mansion_planner.program.bands import (
+    Segment,
+    bring_to_end,
+    fill_segments,
+    front_order,
+    rooms_at_door,
+    with_central,
+    with_door_first,
+    with_rows,
+)
 from mansion_planner.program.blocks import DOOR, group_blocks, lay_block, of_full_depth, passage_of
+from mansion_planner.program.end_rooms import boxes_at_end, corner_of, end_rooms
 from mansion_planner.program.home_orders import best_sketch, home_price
 from mansion_planner.program.model import (
-    DOOR_WALL,
     Box,
     Corridor,
     Massing,
@@ -25,7 +34,7 @@ from mansion_planner.program.model import (
     lobby_length,
     pocket,
 )
-from mansion_planner.program.plan_quality import FACING, fill
+from mansion_planner.program.plan_quality import fill
 from mansion_planner.program.separation import keep_apart
 from mansion_planner.program.side_passages import SidePassage, with_passages
 
@@ -59,8 +68,10 @@ def sketch_storey(
         Those that must not share a wall.
     """
     length = _extent(massing, storey)
-    ends, rest = _end_rooms(massing, storey, length)
-    stop = length - (sum(room.gross for room in ends) + box_area(_corner(massing)) * bool(ends)) / massing.depth
+    at_door = rooms_at_door(storey, pairs)
+    pairs = [pair[::-1] if pair[0] in at_door and pair[1] not in at_door else pair for pair in pairs]
+    ends, rest = end_rooms(massing, storey, length)
+    stop = length - (sum(room.gross for room in ends) + box_area(corner_of(massing)) * bool(ends)) / massing.depth
     stop = massing.length if storey.hall_wing else stop
     if _is_one_room(massing, storey):
         ends, rest = list(storey.rooms), []
@@ -68,10 +79,11 @@ def sketch_storey(
     segments = _segments(massing, stop, lobby_length(massing, storey))
     segments = _with_floor_behind_lifts(massing, storey, segments)
     depth = max(segment.depth for segment in segments)
-    rest = of_full_depth(front_order(rest, rooms_at_door(storey, pairs)), ends, depth, pairs)
+    rest = of_full_depth(front_order(rest, at_door), ends, depth, pairs)
     blocks = group_blocks(rest, depth, pairs, passages=storey.use.family != "home")
     filled = bring_to_end(fill_segments(segments, blocks, pairs), stop, ends, pairs)
-    filled = with_central(_room_beside_lifts(keep_apart(filled, apart, pairs)))
+    filled = keep_apart(filled, apart, pairs)
+    filled = with_central(_room_beside_lifts(filled if ends else with_door_first(filled, at_door)))
     if storey.use.family != "home":
         return _assemble(massing, storey, hub_id, filled, ends, stop, length)
     return best_sketch(
@@ -414,20 +426,6 @@ def _core_parents(massing: Massing, corridors: list[Corridor], closing: str) -> 
     return {core.id: far if core.box[0] >= 0.5 * massing.length else mains[0].id for core in massing.cores}
 
 
-def _corner(massing: Massing) -> Box:
-    """Return the box of the stair at the far end; an empty one where there is none."""
-    far = [core.box for core in massing.cores if core.box[0] >= 0.5 * massing.length]
-    return far[0] if far and far_stair(massing) else (0.0, 0.0, 0.0, 0.0)
-
-
-def _around_corner(massing: Massing, x0: float, x1: float) -> list[Box]:
-    """Return the boxes of a room over the whole depth of the bar, around the stair in its far corner."""
-    corner = _corner(massing)
-    if not box_area(corner):
-        return [(x0, 0.0, x1, massing.depth)]
-    return [(x0, 0.0, x1, corner[1]), (x0, corner[1], corner[0], massing.depth)]
-
-
 def _extent(massing: Massing, storey: Storey) -> float:
     return massing.length - storey.setback + storey.extension
 
@@ -449,10 +447,6 @@ def capacity(massing: Massing, storey: Storey) -> float:
         hub = length * massing.corridor
         return total + hub
     return total
-
-
-_HALL = 260.0
-"""Square metres from which a room closes the bar though a stair stands at its end."""
 
 
 def _behind_lifts(massing: Massing, storey: Storey) -> Box:
@@ -478,70 +472,6 @@ def _room_beside_lifts(segments: Sequence[Segment]) -> list[Segment]:
         whole = [block for block in segment.blocks if not block.passage][:1] if segment.behind else []
         rows.append([*whole, *(block for block in segment.blocks if not any(block is first for first in whole))])
     return with_rows(segments, rows)
-
-
-def _end_rooms(massing: Massing, storey: Storey, length: float) -> tuple[list[PlannedRoom], list[PlannedRoom]]:
-    """Choose the rooms that close the bar over its whole depth: one too large for a band, or two for audiences.
-
-    Where a stair stands at that end, only a hall does, with the stair in its corner; the hall of a wing lies beyond it.
-    """
-    rooms = storey.rooms
-    if storey.hall_wing:
-        hall = max(rooms, key=lambda room: (room.kind.whole and room.stated, room.area, room.id))
-        return [hall], [room for room in rooms if room is not hall]
-    if massing.wings:
-        return [], list(rooms)
-    pair = _side_by_side(massing, rooms, length)
-    if pair:
-        return pair, [room for room in rooms if not any(room is other for other in pair)]
-    deep = max(massing.north, massing.south)
-    least = _HALL if far_stair(massing) else 90.0
-    large = [r for r in rooms if not r.suite and r.area > 2.4 * deep * deep and r.area > least]
-    large = [r for r in large if r.area / massing.depth < 0.55 * length]
-    if not large or len(rooms) < 2:
-        return [], list(rooms)
-    end = max(large, key=lambda room: (room.area, room.id))
-    return [end], [room for room in rooms if room is not end]
-
-
-_AUDIENCE = 45.0
-"""Least square metres of each of two rooms in rows that close the bar together."""
-
-
-def _side_by_side(massing: Massing, rooms: Sequence[PlannedRoom], length: float) -> list[PlannedRoom]:
-    """Return two rooms in rows that close the bar side by side, both entered from the end of the corridor, or none."""
-    large = [room for room in rooms if room.kind.name in FACING and room.area >= _AUDIENCE and not room.suite]
-    pair = sorted(large, key=lambda room: (-room.area, room.id))[:2]
-    deep = sum(room.area for room in pair) / massing.depth
-    fits = 0.45 * massing.depth <= deep < 0.7 * length and massing.corridor >= 2 * DOOR_WALL
-    return pair if len(pair) == _PAIR and fits and not far_stair(massing) and len(rooms) > _PAIR else []
-
-
-_PAIR = 2
-
-
-def _closing(
-    massing: Massing, ends: Sequence[PlannedRoom], stop: float, length: float, *, beyond: bool
-) -> list[Placement]:
-    """Return the places of the rooms that close the bar over its whole depth, two on either side of its middle.
-
-    Parameters
-    ----------
-    beyond : bool
-        The room lies beyond the stair at the end.
-    """
-    if len(ends) < _PAIR:
-        boxes: list[Box] = [(stop, 0.0, length, massing.depth)] if beyond else _around_corner(massing, stop, length)
-        return [Placement(room, boxes, _AT_END) for room in ends]
-    first, second = ends
-    middle = massing.south + massing.corridor / 2
-    spare = massing.corridor / 2 - DOOR_WALL
-    cut = massing.depth * first.gross / (first.gross + second.gross)
-    cut = min(max(cut, middle - spare), middle + spare)
-    return [
-        Placement(first, [(stop, 0.0, length, cut)], _AT_END),
-        Placement(second, [(stop, cut, length, massing.depth)], _AT_END),
-    ]
 
 
 def _segments(massing: Massing, stop: float, lobby: float) -> list[Segment]:
@@ -598,7 +528,8 @@ def _assemble(
     length: float,
 ) -> Sketch:
     rooms, fronts, passages = _placed(massing, segments)
-    rooms += _closing(massing, ends, stop, length, beyond=storey.hall_wing)
+    closed = boxes_at_end(massing, ends, stop, length, beyond=storey.hall_wing)
+    rooms += [Placement(room, boxes, _AT_END) for room, boxes in zip(ends, closed)]
     lobby = lobby_length(massing, storey)
     corridors = _corridors_of(massing, hub_id, fronts, stop, lobby, ended=bool(ends) and not storey.hall_wing)
     corridors = with_passages(corridors, [c for c in corridors if _is_main(c)], passages)

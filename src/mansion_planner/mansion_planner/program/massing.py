@@ -94,6 +94,9 @@ _HOPELESS = 1.5
 """From what share of the stated area on no building can hold the rooms asked for."""
 
 
+_OF_STOREY = 0.6
+"""Greatest share of a usual storey for its main room, where the brief tells the others."""
+
 _SEAT = 2.2
 """Square metres of a hall for each person whom it is for."""
 
@@ -101,7 +104,8 @@ _SEAT = 2.2
 def _hub_of(storey: Storey, decisions: Decisions, allocation: Allocation) -> float:
     """Return the square metres that the main room of a hall needs."""
     people = sum(occupants.count for occupants in decisions.facts.occupants)
-    usual = max(_SEAT * people, storey.hub.least) if people else storey.hub.usual
+    usual = min(storey.hub.usual, _OF_STOREY * decisions.building.floor_area[1])
+    usual = max(_SEAT * people, storey.hub.least) if people else usual
     return hub_area(storey, allocation) or (usual if allocation.told else storey.hub.least)
 
 

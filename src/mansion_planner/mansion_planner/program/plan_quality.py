@@ -78,7 +78,9 @@ _LONG_HALL, _HALL = 2.6, 100.0
 
 def long_halls(sketch: Sketch) -> list[Placement]:
     """Return the large rooms of a sketch that are of use as rectangles alone and long for that."""
-    return [p for p in sketch.rooms if p.room.kind.whole and p.area >= _HALL and p.boxes and aspect(p.boxes) > _LONG_HALL]
+    return [
+        p for p in sketch.rooms if p.room.kind.whole and p.area >= _HALL and p.boxes and aspect(p.boxes) > _LONG_HALL
+    ]
 
 
 FACING = frozenset({"cinema_hall", "auditorium", "lecture_hall"})
@@ -101,7 +103,9 @@ def _is_wide(room: list[Box], before: list[Box]) -> bool:
     """Whether a room is wider along what is before it than it is deep."""
     x0, y0 = (min(box[i] for box in room) for i in (0, 1))
     x1, y1 = (max(box[i] for box in room) for i in (2, 3))
-    along = max((min(x1, b[2]) - max(x0, b[0]) for b in before if min(abs(b[3] - y0), abs(b[1] - y1)) < 0.01), default=0)
+    along = max(
+        (min(x1, b[2]) - max(x0, b[0]) for b in before if min(abs(b[3] - y0), abs(b[1] - y1)) < 0.01), default=0
+    )
     up = max((min(y1, b[3]) - max(y0, b[1]) for b in before if min(abs(b[2] - x0), abs(b[0] - x1)) < 0.01), default=0)
     wide, deep = (x1 - x0, y1 - y0) if along >= up else (y1 - y0, x1 - x0)
     return wide > _SQUARE * deep

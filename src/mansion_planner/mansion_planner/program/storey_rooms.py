@@ -104,7 +104,11 @@ def listed_area(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase
     for entry in entries_of(storey):
         if not allocation.adds(entry.room_type, storey.index) or entry.repeat:
             continue
-        if allocation.told and entry not in main and not is_needed(knowledge.room(entry.room_type), storey.use, told=True):
+        if (
+            allocation.told
+            and entry not in main
+            and not is_needed(knowledge.room(entry.room_type), storey.use, told=True)
+        ):
             continue
         total += entry.count * allocation.added(entry, knowledge).gross
     return total
@@ -216,7 +220,7 @@ def _with_listed(
         The hub is a passage, and no room of the list may crowd the others out.
     """
     filled = list(rooms)
-    present = {fact.room_type for fact in allocation.wanted[storey.index]}
+    present = Counter(fact.room_type for fact in allocation.wanted[storey.index])
     used = sum(room.gross for room in filled)
     described = allocation.told or is_described(rooms, budget)
     home = storey.use.family == "home"
@@ -232,7 +236,7 @@ def _with_listed(
             continue
         if kind.name in extras and kind.name in elsewhere:
             continue
-        for _ in range(0 if entry.repeat else max(entry.count - (kind.name in present), 0)):
+        for _ in range(0 if entry.repeat else max(entry.count - present[kind.name], 0)):
             room = allocation.added(entry, knowledge)
             room = _beside_others(room, budget) if beside_hub else room
             small = min(room.gross, room.gross * 0.5 + 0.5 * kind.least)

@@ -10,7 +10,7 @@ _KINDS = 2
 
 
 def counted_rooms(facts: BriefFacts, building: BuildingType) -> list[RoomFact]:
-    """Return the rooms of a brief that its type of building repeats, where it counts several: guest rooms of a hotel."""
+    """Return the rooms of a brief of which it counts several, and such buildings many: the guest rooms of a hotel."""
     repeated = {entry.room_type for entries in building.storeys.values() for entry in entries if entry.repeat}
     return [room for room in facts.rooms if room.room_type in repeated and (room.count or 0) > 1]
 
