@@ -52,6 +52,7 @@ from mansion_planner.program.plan_quality import (
 from mansion_planner.program.public_toilets import TOILETS, Served, served_by, with_public_toilets
 from mansion_planner.program.setbacks import set_back
 from mansion_planner.program.shared_washrooms import for_sleepers
+from mansion_planner.program.sport_changing import with_changing_rooms
 from mansion_planner.program.storey_forms import capacity, form_of, sketched
 from mansion_planner.program.storey_rooms import (
     MOST_ROOMS,
@@ -471,6 +472,7 @@ def _with_rooms(
     most = most_fronts(form) if hall else MOST_ROOMS
     filled = fill_storey(storey, allocation, knowledge, room, hub_share=share, most_rooms=most, elsewhere=elsewhere)
     filled = with_kitchen(filled, storey, allocation, knowledge, share)
+    filled = with_changing_rooms(filled, storey, allocation, knowledge)
     grows_to = 0.0 if hall else room
     chosen = with_public_toilets(storey, filled, allocation, knowledge, share, others, grows_to)
     chosen = behind_staff_rooms(for_sleepers(chosen, storey), storey, _named(decisions))
