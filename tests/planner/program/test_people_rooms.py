@@ -83,3 +83,18 @@ def test_a_storey_of_a_hotel_is_filled_with_one_lounge_at_most() -> None:
 def test_a_building_for_few_people_has_few_storeys(brief: str, storeys: int) -> None:
     program = plan_building(BuildRequest(description=brief, seed=3)).program
     assert len(program.floors) == storeys
+
+
+@pytest.mark.parametrize(
+    "brief", ["a flat with a guest room", "a house for a couple with a home cinema and a guest room"]
+)
+def test_those_who_live_in_a_home_with_a_guest_room_have_a_bedroom(brief: str) -> None:
+    kinds = [room.room_type for room in rooms(planned(brief))]
+    assert kinds.count("guest_room") == 1
+    assert {"bedroom", "master_bedroom"} & set(kinds)
+
+
+def test_a_kitchen_diner_is_the_place_to_dine_unless_a_dining_room_is_asked_for() -> None:
+    without = [room.room_type for room in rooms(planned("a house with a kitchen diner"))]
+    both = [room.room_type for room in rooms(planned("a house with a kitchen diner and a dining room"))]
+    assert ("dining_room" in without, "dining_room" in both) == (False, True)

@@ -7,7 +7,7 @@ from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.program import RequestedObject
 from mansion_planner.brief.facts import OccupantFact, RoomFact
 from mansion_planner.program.decisions import Decisions
-from mansion_planner.program.household import STUDIO
+from mansion_planner.program.household import FOR_VISITORS, STUDIO
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import entries_of
 
@@ -45,7 +45,8 @@ def people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomFa
     people = facts.occupants[0]
     stated = {fact.room_type for fact in facts.rooms if fact.count is not None}
     if decisions.building.family == "home" and people.noun in _HOUSEHOLD:
-        if decisions.building.hub == STUDIO or any(knowledge.room(name).counts_as == "bedroom" for name in stated):
+        own = stated - {FOR_VISITORS}
+        if decisions.building.hub == STUDIO or any(knowledge.room(name).counts_as == "bedroom" for name in own):
             return None
         grown = people.count if people.noun not in ("kid", "child") else people.count + 2
         count = max(1, min(grown - 1, 8))

@@ -21,7 +21,9 @@ _MEANT = {
     "gym": ("home_gym",), "dressing_room": ("walk_in_closet",),
     "playroom": ("kindergarten_classroom",), "treatment_room": ("dental_room",), "garage": ("apparatus_bay",),
     "storage_room": ("stock_room",), "storage": ("stock_room",), "store_room": ("stock_room",),
-    "library": ("library_room",), "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
+    "stall": ("food_stall",), "seating": ("restaurant", "cafeteria", "cafe"),
+    "seating_area": ("restaurant", "cafeteria", "cafe"), "library": ("library_room",),
+    "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
 }  # fmt: skip
 """Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
 
