@@ -34,8 +34,8 @@ def size_of_program(facts: BriefFacts, building: BuildingType, knowledge: Knowle
     parked = _parked(facts, building)
     if parked is not None:
         return parked
-    says_size = facts.area or facts.floor_area or facts.occupants or facts.uses or facts.copies
-    says_size = says_size or any(word != "small" for word, _ in facts.size)
+    told_otherwise = facts.area or facts.floor_area or facts.occupants or facts.uses or facts.copies
+    says_size = bool(told_otherwise) or any(word != "small" for word, _ in facts.size)
     placed = any(room.floors for room in facts.rooms)
     if building.family == "home" or building.parti != "spine" or says_size or placed:
         return None
