@@ -211,6 +211,8 @@ def _unwanted_types(
         for alike in (_KITCHENS, _FOR_MEALS, _RECEIVING):
             if any(fact.room_type in alike for fact in facts):
                 unwanted[floor] |= alike
+        if decisions.building.family == "lodging" and any(fact.room_type == "dining_room" for fact in facts):
+            unwanted[floor] |= _FOR_MEALS  # guests have breakfast there
         if any(
             fact.room_type == "kitchen_diner" or (fact.room_type == "living_room" and "dining" in fact.name)
             for fact in facts
