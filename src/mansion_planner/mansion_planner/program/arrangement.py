@@ -438,6 +438,21 @@ _FREE, _FREE_WITH_STAIRS = 0.84, 0.78
 """Share of a given outline that rooms take, stairs apart; a hall that also leads to stairs takes more of it."""
 
 
+def _takes_rest(storey: Storey) -> bool:
+    """Whether the main room of a hall takes what the rooms of its list leave."""
+    return storey.hub.zone == "service" or storey.hub.name in (STUDIO, _SALES, _WAITING)
+
+
+def _hall_share(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, room: float) -> float:
+    """Return what the main room of a hall takes of the area for rooms, where the brief does not state it."""
+    most = _most_home_hub(storey, allocation, knowledge, room)
+    if storey.use.family != "home":
+        most = (_MOST_STORE if storey.hub.zone == "service" else _MOST_HUB) * room
+    usual = room - listed_area(storey, allocation, knowledge) if _takes_rest(storey) else 0.38 * room
+    least = storey.hub.least if storey.hub.name == STUDIO else storey.hub.usual
+    return min(max(least, usual), most)
+
+
 def _with_rooms(
     storey: Storey,
     massing: Massing,
@@ -463,15 +478,9 @@ def _with_rooms(
         room, share = share_of_rooms * (decisions.outline.area - cores), 0.0
     else:
         room, share = capacity(massing, storey), 0.0
-    stores = hall and storey.hub.zone == "service"
-    takes_rest = stores or storey.hub.name in (STUDIO, _SALES, _WAITING)
+    takes_rest = hall and _takes_rest(storey)
     if hall:
-        most = _most_home_hub(storey, allocation, knowledge, room)
-        if storey.use.family != "home":
-            most = (_MOST_STORE if stores else _MOST_HUB) * room
-        usual = room - listed_area(storey, allocation, knowledge) if takes_rest else 0.38 * room
-        least = storey.hub.least if storey.hub.name == STUDIO else storey.hub.usual
-        share = stated or min(max(least, usual), most)
+        share = stated or _hall_share(storey, allocation, knowledge, room)
     most = most_fronts(form) if hall else MOST_ROOMS
     filled = fill_storey(storey, allocation, knowledge, room, hub_share=share, most_rooms=most, elsewhere=elsewhere)
     filled = with_kitchen(filled, storey, allocation, knowledge, share)

@@ -101,15 +101,8 @@ def with_public_toilets(
     """
     kept = list(rooms)
     own = [room for room in kept if room.kind.name in TOILETS]
-    facts = [fact for fact in allocation.wanted.get(storey.index, ()) if fact.room_type in TOILETS]
-    children = any(room.kind.name in _CHILDRENS for top in kept for room in top.each())
-    settled = (
-        any(fact.area or (fact.count or 0) > int(children) for fact in facts)
-        if facts
-        else not all(allocation.adds(name, storey.index) for name in TOILETS)
-    )
     entrance = storey.role in ("single", "ground")
-    if settled or storey.role == "basement" or not (own or entrance):
+    if _is_settled(storey, kept, allocation) or storey.role == "basement" or not (own or entrance):
         return kept
     before, whole = sum(room.gross for room in own), sum(room.gross for room in kept)
     grown = fit_areas(kept, capacity) if capacity else kept
@@ -125,6 +118,15 @@ def with_public_toilets(
             asked = [room for room in own if room.stated]
             return [*rest[:place], *(_serving(room, asked) for room in fitting), *rest[place:]]
     return kept
+
+
+def _is_settled(storey: Storey, rooms: Sequence[PlannedRoom], allocation: Allocation) -> bool:
+    """Whether the brief counts, sizes or refuses the toilets of a storey; one of children may be several."""
+    facts = [fact for fact in allocation.wanted.get(storey.index, ()) if fact.room_type in TOILETS]
+    if not facts:
+        return not all(allocation.adds(name, storey.index) for name in TOILETS)
+    children = any(room.kind.name in _CHILDRENS for top in rooms for room in top.each())
+    return any(fact.area or (fact.count or 0) > int(children) for fact in facts)
 
 
 def _serving(toilet: PlannedRoom, asked: Sequence[PlannedRoom]) -> PlannedRoom:
