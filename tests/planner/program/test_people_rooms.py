@@ -98,3 +98,24 @@ def test_a_kitchen_diner_is_the_place_to_dine_unless_a_dining_room_is_asked_for(
     without = [room.room_type for room in rooms(planned("a house with a kitchen diner"))]
     both = [room.room_type for room in rooms(planned("a house with a kitchen diner and a dining room"))]
     assert ("dining_room" in without, "dining_room" in both) == (False, True)
+
+
+@pytest.mark.parametrize(
+    ("brief", "count"),
+    [("a house for six students", 6), ("a flat for two roommates", 2), ("a house for a family of four", 3)],
+)
+def test_people_who_share_a_home_have_a_bedroom_each_and_parents_one_together(brief: str, count: int) -> None:
+    kinds = [room.room_type for room in rooms(planned(brief))]
+    assert sum(kind in ("bedroom", "master_bedroom") for kind in kinds) == count
+
+
+def test_a_home_with_a_shared_kitchen_has_no_other_beside_it() -> None:
+    kinds = [room.room_type for room in rooms(planned("a house for six students with a shared kitchen"))]
+    assert [kind for kind in kinds if "kitchen" in kind] == ["shared_kitchen"]
+
+
+def test_an_office_is_as_large_as_its_desks_need() -> None:
+    small = planned("an office with 20 workstations and a meeting room")
+    assert len(small.floors) == 1
+    assert small.floors[0].gross_floor_area < 450.0
+    assert len(planned("an office with 50 desks").floors) == 2

@@ -249,7 +249,7 @@ _SAME_USE = (
 )
 """Room types that stand for each other: a stated number of one leaves no room for another."""
 
-_KITCHENS = frozenset({"kitchen", "open_kitchen", "commercial_kitchen"})
+_KITCHENS = frozenset({"kitchen", "open_kitchen", "commercial_kitchen", "shared_kitchen"})
 """Rooms to cook in: a storey for which the brief asks one gets no other of another kind."""
 
 _FOR_MEALS = frozenset({"cafeteria", "cafe", "restaurant"})
