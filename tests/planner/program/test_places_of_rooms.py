@@ -93,3 +93,10 @@ def test_a_bath_lies_in_the_front_corner_of_a_narrow_guest_room() -> None:
     for bath in named(building, 2, "bathroom"):
         inner += all(box[1] > 0.01 and box[3] < massing.depth - 0.01 for box in bath.boxes)
     assert inner == len(named(building, 2, "bathroom")) > 0
+
+
+def test_a_garage_that_is_the_hall_leaves_a_place_for_the_second_stair() -> None:
+    building = planned(
+        "a fire station with a garage for two trucks and sleeping quarters for eight firefighters upstairs"
+    )
+    assert sum(core.type == "stair" for core in building.massing.cores) == 2
