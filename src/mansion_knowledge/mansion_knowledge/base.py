@@ -369,6 +369,7 @@ def _building(name: str, record: dict[str, Any]) -> BuildingType:
         like=str(record.get("like", "")),
         heads=tuple(str(head) for head in record.get("heads", ())),
         main=frozenset(str(name) for name in record.get("main", ())),
+        needed=frozenset(str(name) for name in record["needed"]) if "needed" in record else None,
         small=float(record.get("small", 0.0)),
     )
 
@@ -429,7 +430,10 @@ def _check_references(knowledge: KnowledgeBase) -> None:
         check(building.name, [RoomEntry(building.hub), RoomEntry(building.hub_upper)])
         for entries in building.storeys.values():
             check(building.name, entries)
-        check(building.name, [RoomEntry(name) for name in (*building.filler, *sorted(building.main))])
+        check(
+            building.name,
+            [RoomEntry(name) for name in (*building.filler, *sorted(building.main | (building.needed or set())))],
+        )
         check(building.name, [entry for entry in (building.seats, building.places) if entry is not None])
         if building.style not in knowledge.styles:
             raise MansionError(

@@ -209,6 +209,9 @@ class BuildingType:
         Nouns that end the names of unknown kinds that are most like it ("agency", "bureau").
     main : frozenset of str
         Room types that such a building is there for: its entrance storey has those of its list whatever a brief adds.
+    needed : frozenset of str, optional
+        Room types of its lists without which such a building does not work: all that it has of them where a brief tells
+        what it is there for. ``None`` where nobody can tell, so that it keeps its lists.
     small : float
         Most gross square metres of a storey that are called small; 0 where a share of the usual ones are.
     """
@@ -233,6 +236,7 @@ class BuildingType:
     like: str = ""
     heads: tuple[str, ...] = ()
     main: frozenset[str] = frozenset()
+    needed: frozenset[str] | None = None
     small: float = 0.0
 
 

@@ -18,7 +18,7 @@ def test_who_wants_no_cafeteria_gets_no_cafe_either() -> None:
 
 def test_counted_bathrooms_leave_no_room_for_other_toilets() -> None:
     found = types("A language school on one floor of 290 m2 with 4 classrooms and 2 bathrooms")
-    assert (found.count("bathroom"), {"restroom", "toilet"} & set(found)) == (2, set())
+    assert (found.count("restroom"), {"bathroom", "toilet"} & set(found)) == (2, set())
 
 
 def test_rooms_that_others_have_for_themselves_are_not_added_again() -> None:

@@ -72,8 +72,8 @@ def test_toilets_that_are_counted_stay() -> None:
 
 def test_what_the_rooms_leave_goes_to_the_foyer() -> None:
     text = (
-        "Indoor swimming baths on one storey, 1,600 m2: pool hall 700 m2, two changing rooms of 70 m2, two shower "
-        "rooms of 25 m2, plant room 120 m2, a ticket desk"
+        "Indoor swimming baths on one storey, 600 m2: pool hall 250 m2, two changing rooms of 30 m2, two shower "
+        "rooms of 15 m2, plant room 50 m2, a ticket desk"
     )
     building = planned(text)
     assert building.storeys[0].foyer > 1.0

@@ -160,3 +160,19 @@ def test_rooms_of_guests_and_of_a_household_are_of_their_size(brief: str, name: 
 def test_counted_guest_rooms_are_all_that_a_hotel_has() -> None:
     _, *upper = floors("A three-storey hotel of 1,000 m2 with eight en-suite guest rooms on each upper floor")
     assert [sum(room.room_type == "hotel_room" for room in floor.rooms) for floor in upper] == [8, 8]
+
+
+@pytest.mark.parametrize(
+    ("brief", "name", "kind"),
+    [
+        ("A kindergarten with two playrooms and a nap room", "playroom", "kindergarten_classroom"),
+        ("A dental clinic with three treatment rooms", "treatment_room", "dental_room"),
+        ("A fire station with a garage for two trucks", "apparatus_bay", "apparatus_bay"),
+        ("A grocery store with a storage room", "storage_room", "stock_room"),
+        ("An office with ten desks and a bathroom", "bathroom", "restroom"),
+    ],
+)
+def test_plain_names_mean_what_such_a_building_has(brief: str, name: str, kind: str) -> None:
+    found = [room.room_type for floor in floors(brief) for room in floor.rooms if room.id.startswith(name)]
+    assert found
+    assert set(found) == {kind}

@@ -12,11 +12,12 @@ from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
 from mansion_planner.program.household import FOR_VISITORS, private_types
 from mansion_planner.program.model import PlannedRoom, Storey
-from mansion_planner.program.people_rooms import people_rooms, place_rooms, professional_rooms
+from mansion_planner.program.people_rooms import bed_rooms, people_rooms, place_rooms, professional_rooms
 from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_choice import floors_for, in_order, is_free_bathroom, number_of
 from mansion_planner.program.storeys import entries_of, floors_of
+from mansion_planner.program.told_programs import tells_program
 
 __all__ = ["MANY", "Allocation", "allocate"]
 
@@ -38,9 +39,11 @@ class Allocation:
     furniture : dict of str to float
         Square metres that the furniture wanted in rooms of a name needs.
     places : frozenset of str
-        Names of rooms that are as large as the places of those who work there need, whatever is usual.
+        Names of rooms that are as large as the places of those who work or sleep there need, whatever is usual.
     households : dict of str to RoomFact
         What every unit holds that a storey adds by itself, by the room type that it counts as.
+    told : bool
+        The brief tells what the building holds, so that it is as large as that.
     """
 
     wanted: dict[int, list[RoomFact]] = field(default_factory=dict)
@@ -50,6 +53,7 @@ class Allocation:
     furniture: dict[str, float] = field(default_factory=dict)
     places: frozenset[str] = frozenset()
     households: dict[str, RoomFact] = field(default_factory=dict)
+    told: bool = False
 
     def added(self, entry: RoomEntry, knowledge: KnowledgeBase) -> PlannedRoom:
         """Return a room of a storey's list, with the rooms that the brief gives to every such unit."""
@@ -156,8 +160,9 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
         unwanted=_unwanted_types(wanted, decisions, knowledge),
         complete=_complete_storeys(decisions, storeys),
         furniture=furniture,
-        places=frozenset() if places is None else frozenset({places[0].name}),
+        places=bed_rooms(decisions) | (frozenset() if places is None else {places[0].name}),
         households={knowledge.room(fact.room_type).counts_as: fact for fact in decisions.facts.households},
+        told=tells_program(decisions.facts, decisions.building, knowledge),
     )
     return allocation, Record(tuple(trace))
 
@@ -206,16 +211,32 @@ def _unwanted_types(
         for alike in (_KITCHENS, _FOR_MEALS, _RECEIVING):
             if any(fact.room_type in alike for fact in facts):
                 unwanted[floor] |= alike
+        if decisions.building.family == "lodging" and any(fact.room_type == "dining_room" for fact in facts):
+            unwanted[floor] |= _FOR_MEALS  # guests have breakfast there
         if any(
             fact.room_type == "kitchen_diner" or (fact.room_type == "living_room" and "dining" in fact.name)
             for fact in facts
         ):
             unwanted[floor] |= {"dining_room"}
+    for floor in unwanted:
+        unwanted[floor] |= _told_elsewhere(floor, decisions, knowledge)
     for name, ref, _ in decisions.facts.excluded_on:
         like = next((group for group in _SAME_USE if name in group), frozenset())
         for floor in floors_of((ref,), decisions):
             unwanted[floor] = unwanted.get(floor, frozenset()) | {name} | like | _same_head(name, knowledge)
     return unwanted
+
+
+def _told_elsewhere(floor: int, decisions: Decisions, knowledge: KnowledgeBase) -> frozenset[str]:
+    """Return the room types that fill other storeys, as the brief says: "offices on the second floor"."""
+    facts = decisions.facts
+    several = [fact for fact in facts.rooms if fact.floors and fact.count is None and not fact.each]
+    names = {fact.room_type for fact in several if floor not in floors_of(fact.floors, decisions)}
+    for use in facts.uses:
+        if use.floors and floor not in floors_of(use.floors, decisions):
+            lists = knowledge.buildings[use.building_type].storeys.values()
+            names |= {entry.room_type for entries in lists for entry in entries if entry.repeat}
+    return frozenset(names) if decisions.building.family != "mixed" else frozenset()
 
 
 _SAME_USE = (

@@ -20,6 +20,7 @@ from mansion_planner.program.dining_kitchens import with_kitchen
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
 from mansion_planner.program.foyers import foyer_length
 from mansion_planner.program.hall_sketch import most_fronts
+from mansion_planner.program.hall_wings import hall_of_wing, with_hall_wing
 from mansion_planner.program.home_orders import HOME_PAIRS
 from mansion_planner.program.home_quality import home_faults
 from mansion_planner.program.household import STUDIO
@@ -37,9 +38,12 @@ from mansion_planner.program.model import (
 )
 from mansion_planner.program.outline import Envelope, Frame, envelope_of
 from mansion_planner.program.plan_quality import (
+    aspect,
     carved,
     comes_out_as_strips,
+    crosswise,
     dark_rooms,
+    long_halls,
     shallow_garages,
     shrunk_rooms,
     strips,
@@ -48,9 +52,11 @@ from mansion_planner.program.plan_quality import (
 from mansion_planner.program.public_toilets import TOILETS, Served, served_by, with_public_toilets
 from mansion_planner.program.setbacks import set_back
 from mansion_planner.program.shared_washrooms import for_sleepers
+from mansion_planner.program.sport_changing import with_changing_rooms
 from mansion_planner.program.storey_forms import capacity, form_of, sketched
 from mansion_planner.program.storey_rooms import (
     MOST_ROOMS,
+    base_rooms,
     fill_storey,
     fit_areas,
     hub_area,
@@ -97,12 +103,15 @@ def best_arrangement(
     # Of several depths without a fault the first is taken: seeds begin at different ones.
     free = home and not decisions.area_stated
     first = int(item_generator(decisions.seed, "first depth").integers(_FIRST)) if free else 0
+    asked = {storey.index: base_rooms(storey, allocation, knowledge) for storey in storeys}
+    hall = hall_of_wing(decisions, storeys, asked)
     for attempt in range(attempts):
         growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
         generator = item_generator(decisions.seed, "massing", attempt)
         varied = replace(wish, area=wish.area * growth, variant=(attempt + first) % attempts)
         massing = _massing(decisions, varied, generator)
         shaped = set_back(decisions, massing, storeys, allocation, knowledge)
+        shaped = with_hall_wing(massing, shaped, hall)
         layout = _arranged(decisions, massing, shaped, allocation, knowledge, generator)
         missed, (shallow, ill) = _missed(decisions, wish, layout), _ill_shaped(layout, home=home)
         price = missed, shallow, ill
@@ -135,13 +144,21 @@ def _ill_shaped(layout: Arrangement, *, home: bool) -> tuple[int, float]:
     own = _own_sketches(layout)
     ill: float = sum(
         len(strips(sketch)) + len(carved(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch))
+        + len(crosswise(sketch)) + len(long_halls(sketch))
         for sketch in own
-    )
+    )  # fmt: skip
+    if layout.massing.hall and not home:
+        entered = [layout.sketches[s.index] for s in layout.storeys if s.role in _ENTERED]
+        ill += sum(aspect(sketch.corridors[0].boxes) > _LONG_HALL for sketch in entered)
     ill += sum(_unlit(layout.sketches[storey.index], layout.massing) for storey in layout.storeys if _is_plain(storey))
     if home:
         above = [storey for storey in layout.storeys if storey.copy is None and storey.index >= 1]
         ill += home_faults([(s, layout.sketches[s.index], layout.envelopes[s.index].area) for s in above])
     return sum(len(shallow_garages(sketch)) for sketch in own), ill
+
+
+_LONG_HALL = 2.4
+"""Length to width from which on a hall that other rooms line is too long."""
 
 
 def _is_plain(storey: Storey) -> bool:
@@ -421,6 +438,21 @@ _FREE, _FREE_WITH_STAIRS = 0.84, 0.78
 """Share of a given outline that rooms take, stairs apart; a hall that also leads to stairs takes more of it."""
 
 
+def _takes_rest(storey: Storey) -> bool:
+    """Whether the main room of a hall takes what the rooms of its list leave."""
+    return storey.hub.zone == "service" or storey.hub.name in (STUDIO, _SALES, _WAITING)
+
+
+def _hall_share(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, room: float) -> float:
+    """Return what the main room of a hall takes of the area for rooms, where the brief does not state it."""
+    most = _most_home_hub(storey, allocation, knowledge, room)
+    if storey.use.family != "home":
+        most = (_MOST_STORE if storey.hub.zone == "service" else _MOST_HUB) * room
+    usual = room - listed_area(storey, allocation, knowledge) if _takes_rest(storey) else 0.38 * room
+    least = storey.hub.least if storey.hub.name == STUDIO else storey.hub.usual
+    return min(max(least, usual), most)
+
+
 def _with_rooms(
     storey: Storey,
     massing: Massing,
@@ -446,18 +478,13 @@ def _with_rooms(
         room, share = share_of_rooms * (decisions.outline.area - cores), 0.0
     else:
         room, share = capacity(massing, storey), 0.0
-    stores = hall and storey.hub.zone == "service"
-    takes_rest = stores or storey.hub.name in (STUDIO, _SALES, _WAITING)
+    takes_rest = hall and _takes_rest(storey)
     if hall:
-        most = _most_home_hub(storey, allocation, knowledge, room)
-        if storey.use.family != "home":
-            most = (_MOST_STORE if stores else _MOST_HUB) * room
-        usual = room - listed_area(storey, allocation, knowledge) if takes_rest else 0.38 * room
-        least = storey.hub.least if storey.hub.name == STUDIO else storey.hub.usual
-        share = stated or min(max(least, usual), most)
+        share = stated or _hall_share(storey, allocation, knowledge, room)
     most = most_fronts(form) if hall else MOST_ROOMS
     filled = fill_storey(storey, allocation, knowledge, room, hub_share=share, most_rooms=most, elsewhere=elsewhere)
     filled = with_kitchen(filled, storey, allocation, knowledge, share)
+    filled = with_changing_rooms(filled, storey, allocation, knowledge)
     grows_to = 0.0 if hall else room
     chosen = with_public_toilets(storey, filled, allocation, knowledge, share, others, grows_to)
     chosen = behind_staff_rooms(for_sleepers(chosen, storey), storey, _named(decisions))
@@ -467,7 +494,7 @@ def _with_rooms(
         asked = sum(r.gross for r in chosen)
         wanted = sum(r.gross for r in chosen if r.stated)
         share = max(storey.hub.least, 0.5 * share, min(share, room - wanted))
-        room = min(room - share, asked if takes_rest else max(asked, 0.45 * room))
+        room = min(room - share, asked if takes_rest or allocation.told else max(asked, 0.45 * room))
     foyer = 0.0 if decisions.free_form else foyer_length(storey, form, chosen, room, stated)
     rooms = name_rooms(fit_areas(chosen, room - foyer * form.south), storey.hub.name)
     return replace(storey, rooms=rooms, foyer=foyer)

@@ -1,11 +1,11 @@
 """Lay rooms out in bands along corridors: the stretches of band that blocks of rooms are distributed over."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import msgspec
 
 from mansion_planner.program.blocks import Block
-from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
+from mansion_planner.program.model import Box, Massing, PlannedRoom, Storey, Wing
 from mansion_planner.program.widths import widened
 
 __all__ = [
@@ -15,6 +15,9 @@ __all__ = [
     "fill_segments",
     "front_order",
     "misfit_of_exchange",
+    "rooms_at_door",
+    "with_central",
+    "with_door_first",
     "with_rows",
 ]
 
@@ -104,15 +107,43 @@ class Segment(msgspec.Struct, frozen=True):
         return (across[0], start - box[2], across[1], start - box[0])
 
 
-def front_order(rooms: Sequence[PlannedRoom]) -> list[PlannedRoom]:
+_AT_THE_DOOR = frozenset(
+    "reception ticket_office concession_stand service_counter check_in_hall waiting_room cloakroom".split()
+)
+"""Rooms that visitors come to first."""
+
+_OF_CULTURE = frozenset({"shop", "cafe"})
+"""Rooms of a museum or theatre beside its entrance, which people also come to for themselves."""
+
+
+def rooms_at_door(storey: Storey, pairs: Sequence[tuple[str, str]]) -> frozenset[str]:
+    """Return the types and names of the rooms of a public building that lie beside its entrance.
+
+    Parameters
+    ----------
+    storey : Storey
+    pairs : sequence of (str, str)
+        Rooms that are to be side by side: one that is to be beside the lobby is beside the entrance.
+    """
+    if storey.role not in ("single", "ground") or storey.use.family == "home":
+        return frozenset()
+    hubs = {storey.hub.name, "lobby", "entrance_hall"}
+    asked = {one for pair in pairs for one, other in (pair, pair[::-1]) if other in hubs and one not in hubs}
+    return _AT_THE_DOOR | asked | (_OF_CULTURE if storey.use.family == "culture" else frozenset())
+
+
+def front_order(rooms: Sequence[PlannedRoom], at_door: Collection[str] = ()) -> list[PlannedRoom]:
     """Order rooms from the cores outwards: wet rooms (stacked from storey to storey), public, service, private.
 
-    Showers are with the changing rooms that they belong to, where a storey has those.
+    Showers are with the changing rooms that they belong to, where a storey has those. Rooms of a type or name of
+    `at_door` come before all.
     """
     zones = {"circulation": 0, "public": 1, "service": 2, "private": 3}
     fixed = {room.kind.name for room in rooms if not room.kind.stack}
 
     def rank(room: PlannedRoom) -> tuple[int, int]:
+        if any(room.called(name) for name in at_door):
+            return (-1, 0)
         if room.kind.stack and (room.kind.toilet or fixed.isdisjoint(room.kind.near)):
             return (0, room.kind.stack)
         if room.kind.open:
@@ -308,6 +339,42 @@ def bring_to_end(
                 row.append(row.pop(place))
                 return with_rows(segments, rows)
     return list(segments)
+
+
+def with_door_first(segments: Sequence[Segment], at_door: Collection[str]) -> list[Segment]:
+    """Return the segments, a stretch of the main corridor turned round whose rooms beside the entrance lie far from it.
+
+    Neighbours stay neighbours.
+    """
+    rows = []
+    for segment in segments:
+        row = list(segment.blocks)
+        places = [number for number, block in enumerate(row) if any(_holds(block, name) for name in at_door)]
+        far = bool(places) and sum(places) > len(places) * (len(row) - 1) / 2
+        rows.append(row[::-1] if far and segment.bar == "main" else row)
+    return with_rows(segments, rows)
+
+
+_CENTRAL, _SERVED = frozenset({"nurse_station"}), frozenset({"patient_room", "resident_room", "hospital_ward"})
+"""Rooms from which others are watched, and those others."""
+
+_FEW_SERVED = 3
+"""Rooms that are watched from anywhere beside them."""
+
+
+def with_central(segments: Sequence[Segment]) -> list[Segment]:
+    """Return the segments, a room from which others are watched in the middle of those that its stretch has."""
+    rows = []
+    for segment in segments:
+        row = list(segment.blocks)
+        central = [block for block in row if block.host.kind.name in _CENTRAL]
+        served = [number for number, block in enumerate(row) if block.host.kind.name in _SERVED]
+        if len(central) == 1 and len(served) >= _FEW_SERVED:
+            middle = row[served[len(served) // 2]]
+            row.remove(central[0])
+            row.insert(row.index(middle), central[0])
+        rows.append(row)
+    return with_rows(segments, rows)
 
 
 def with_rows(segments: Sequence[Segment], rows: Sequence[Sequence[Block]]) -> list[Segment]:

@@ -122,9 +122,8 @@ def group_blocks(
     bright = [_wide_enough(room, depth) for room in rooms]
     narrow = [room for room in bright if not room.suite and _is_narrow(room, depth) and _fits_in_front(room, depth)]
     narrow.sort(key=lambda room: -room.area)
-    free = [room for room in narrow if not _is_wide(room)]  # clusters give way where a wheelchair must turn
     clusters = (
-        _clusters(free, [room for room in bright if room.area <= _MOST_SERVICE], depth, pairs) if passages else []
+        _clusters(narrow, [room for room in bright if room.area <= _MOST_SERVICE], depth, pairs) if passages else []
     )
     placed = [room for block in clusters for room in block.fronts()]
     narrow = [room for room in narrow if not any(room is other for other in placed)]
@@ -180,7 +179,7 @@ def _clusters(
         and not any(room.called(name) for pair in pairs for name in pair)
     ]  # fmt: skip
     free = [room for room in dark if any(room is other for other in narrow)]
-    wider = [room for room in dark if not _is_wide(room) and not any(room is other for other in free)]
+    wider = [room for room in dark if not any(room is other for other in free)]
     free.sort(key=lambda room: (not room.kind.wet, -room.area))
     best: list[tuple[float, list[list[PlannedRoom]]]] = [(0.0, [])]
     for end in range(1, len(free) + 1):
@@ -216,7 +215,8 @@ def _cluster(rooms: Sequence[PlannedRoom], depth: float) -> tuple[float, Block] 
     if laid.price > _LONGEST_AT_PASSAGE:
         return None
     passage = width * depth - sum(room.area for room in rooms)
-    return laid.price, msgspec.structs.replace(block, passage=passage, least=0.9 * width)
+    least = width if any(_is_wide(room) for room in rooms) else 0.9 * width
+    return laid.price, msgspec.structs.replace(block, passage=passage, least=least)
 
 
 def _wishes(block: Block) -> tuple[Wish, ...]:
@@ -386,6 +386,9 @@ def _lay_one(
     area = child.area * scale
     high = _front_depth(area, depth)
     wide = area / high
+    if width - wide < DOOR and (width - DOOR) * _DEEPEST_BATH * depth >= area and width - DOOR >= _NARROWEST_BATH:
+        wide = width - DOOR
+        high = area / wide
     if width - wide >= DOOR and area < 0.4 * host.area * scale:
         corner: Box = (0.0, 0.0, wide, high)
         return [(host, [(wide, 0.0, width, depth), (0.0, high, wide, depth)]), (child, [corner])]
@@ -397,6 +400,10 @@ def _lay_one(
     wide = area / high
     boxes: list[Box] = [(0.0, 0.0, width, depth - high), (wide, depth - high, width, depth)]
     return [(host, boxes), (child, [(0.0, depth - high, wide, depth)])]
+
+
+_NARROWEST_BATH, _DEEPEST_BATH = 1.7, 0.5
+"""Width of a bath in the front corner of a narrow room at least, metres, and its share of the depth at most."""
 
 
 def _lay_columns(host: PlannedRoom, width: float, depth: float, scale: float) -> list[tuple[PlannedRoom, list[Box]]]:

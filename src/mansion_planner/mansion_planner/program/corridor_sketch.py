@@ -7,8 +7,18 @@ from dataclasses import replace
 import msgspec
 
 from mansion_knowledge.norms import load_norms
-from mansion_planner.program.bands import Segment, bring_to_end, fill_segments, front_order, with_rows
+from mansion_planner.program.bands import (
+    Segment,
+    bring_to_end,
+    fill_segments,
+    front_order,
+    rooms_at_door,
+    with_central,
+    with_door_first,
+    with_rows,
+)
 from mansion_planner.program.blocks import DOOR, group_blocks, lay_block, of_full_depth, passage_of
+from mansion_planner.program.end_rooms import boxes_at_end, corner_of, end_rooms
 from mansion_planner.program.home_orders import best_sketch, home_price
 from mansion_planner.program.model import (
     Box,
@@ -58,18 +68,22 @@ def sketch_storey(
         Those that must not share a wall.
     """
     length = _extent(massing, storey)
-    ends, rest = _end_rooms(massing, storey.rooms, length)
-    stop = length - sum((room.gross + box_area(_corner(massing))) / massing.depth for room in ends)
+    at_door = rooms_at_door(storey, pairs)
+    pairs = [pair[::-1] if pair[0] in at_door and pair[1] not in at_door else pair for pair in pairs]
+    ends, rest = end_rooms(massing, storey, length)
+    stop = length - (sum(room.gross for room in ends) + box_area(corner_of(massing)) * bool(ends)) / massing.depth
+    stop = massing.length if storey.hall_wing else stop
     if _is_one_room(massing, storey):
         ends, rest = list(storey.rooms), []
         stop = max(pocket(massing), lobby_length(massing, storey)) + _LANDING
     segments = _segments(massing, stop, lobby_length(massing, storey))
     segments = _with_floor_behind_lifts(massing, storey, segments)
     depth = max(segment.depth for segment in segments)
-    rest = of_full_depth(front_order(rest), ends, depth, pairs)
+    rest = of_full_depth(front_order(rest, at_door), ends, depth, pairs)
     blocks = group_blocks(rest, depth, pairs, passages=storey.use.family != "home")
     filled = bring_to_end(fill_segments(segments, blocks, pairs), stop, ends, pairs)
-    filled = _room_beside_lifts(keep_apart(filled, apart, pairs))
+    filled = keep_apart(filled, apart, pairs)
+    filled = with_central(_room_beside_lifts(filled if ends else with_door_first(filled, at_door)))
     if storey.use.family != "home":
         return _assemble(massing, storey, hub_id, filled, ends, stop, length)
     return best_sketch(
@@ -412,20 +426,6 @@ def _core_parents(massing: Massing, corridors: list[Corridor], closing: str) -> 
     return {core.id: far if core.box[0] >= 0.5 * massing.length else mains[0].id for core in massing.cores}
 
 
-def _corner(massing: Massing) -> Box:
-    """Return the box of the stair at the far end; an empty one where there is none."""
-    far = [core.box for core in massing.cores if core.box[0] >= 0.5 * massing.length]
-    return far[0] if far and far_stair(massing) else (0.0, 0.0, 0.0, 0.0)
-
-
-def _around_corner(massing: Massing, x0: float, x1: float) -> list[Box]:
-    """Return the boxes of a room over the whole depth of the bar, around the stair in its far corner."""
-    corner = _corner(massing)
-    if not box_area(corner):
-        return [(x0, 0.0, x1, massing.depth)]
-    return [(x0, 0.0, x1, corner[1]), (x0, corner[1], corner[0], massing.depth)]
-
-
 def _extent(massing: Massing, storey: Storey) -> float:
     return massing.length - storey.setback + storey.extension
 
@@ -433,7 +433,7 @@ def _extent(massing: Massing, storey: Storey) -> float:
 def capacity(massing: Massing, storey: Storey) -> float:
     """Return the area that rooms can take on a storey, square metres."""
     length = _extent(massing, storey)
-    total = length * massing.depth - length * massing.corridor
+    total = length * massing.depth - (massing.length if storey.hall_wing else length) * massing.corridor
     for wing in massing.wings:
         total += (wing.x1 - wing.x0 - massing.corridor) * wing.reach
         band = massing.north if wing.north else massing.south
@@ -447,10 +447,6 @@ def capacity(massing: Massing, storey: Storey) -> float:
         hub = length * massing.corridor
         return total + hub
     return total
-
-
-_HALL = 200.0
-"""Square metres from which a room closes the bar though a stair stands at its end."""
 
 
 def _behind_lifts(massing: Massing, storey: Storey) -> Box:
@@ -476,25 +472,6 @@ def _room_beside_lifts(segments: Sequence[Segment]) -> list[Segment]:
         whole = [block for block in segment.blocks if not block.passage][:1] if segment.behind else []
         rows.append([*whole, *(block for block in segment.blocks if not any(block is first for first in whole))])
     return with_rows(segments, rows)
-
-
-def _end_rooms(
-    massing: Massing, rooms: Sequence[PlannedRoom], length: float
-) -> tuple[list[PlannedRoom], list[PlannedRoom]]:
-    """Choose the room that closes the bar over its whole depth: one too large for a band.
-
-    Where a stair stands at that end, only a hall does, with the stair in its corner.
-    """
-    if massing.wings:
-        return [], list(rooms)
-    deep = max(massing.north, massing.south)
-    least = _HALL if far_stair(massing) else 90.0
-    large = [r for r in rooms if not r.suite and r.area > 2.4 * deep * deep and r.area > least]
-    large = [r for r in large if r.area / massing.depth < 0.55 * length]
-    if not large or len(rooms) < 2:
-        return [], list(rooms)
-    end = max(large, key=lambda room: (room.area, room.id))
-    return [end], [room for room in rooms if room is not end]
 
 
 def _segments(massing: Massing, stop: float, lobby: float) -> list[Segment]:
@@ -551,13 +528,10 @@ def _assemble(
     length: float,
 ) -> Sketch:
     rooms, fronts, passages = _placed(massing, segments)
-    x = stop
-    for room in ends:
-        wide = (length - stop) * room.gross / sum(end.gross for end in ends)
-        rooms.append(Placement(room, _around_corner(massing, x, x + wide), _AT_END))
-        x += wide
+    closed = boxes_at_end(massing, ends, stop, length, beyond=storey.hall_wing)
+    rooms += [Placement(room, boxes, _AT_END) for room, boxes in zip(ends, closed)]
     lobby = lobby_length(massing, storey)
-    corridors = _corridors_of(massing, hub_id, fronts, stop, lobby, ended=bool(ends))
+    corridors = _corridors_of(massing, hub_id, fronts, stop, lobby, ended=bool(ends) and not storey.hall_wing)
     corridors = with_passages(corridors, [c for c in corridors if _is_main(c)], passages)
     rooms, corridors = _with_niche(_behind_lifts(massing, storey), rooms, corridors)
     rooms = _with_parents(_with_pocket(massing, rooms), corridors, fronts)
@@ -571,7 +545,7 @@ def _assemble(
     for passage in passages:
         if passage.bar == "main":
             bearing[passage.front] = _without(bearing[passage.front], passage.x0, passage.x1)
-    closing = ends[0].id if ends and far_stair(massing) else ""
+    closing = ends[0].id if ends and far_stair(massing) and not storey.hall_wing else ""
     return Sketch(corridors, rooms, _core_parents(massing, corridors, closing), bearing=bearing)
 
 

@@ -1,6 +1,6 @@
 """Whether the occupants of upper storeys, or their way to the stair, ask for a second one."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Final
 
 from mansion_knowledge import KnowledgeBase
@@ -51,10 +51,12 @@ def second_stair(
         or facts.setback or facts.protruding or _has_storey_of_one_room(storeys, allocation)
     ):  # fmt: skip
         return ""
-    stated, own = (_widest(found, storeys) for found in (_stated(allocation, knowledge), _listed(storeys, knowledge)))
+    halls = {storey.hub.name for storey in storeys if storey.index <= 1} if hall else set()
+    asked = _stated(allocation, knowledge, halls)
+    stated, own = (_widest(found, storeys) for found in (asked, _listed(storeys, knowledge)))
     if len(storeys) >= 3 and decisions.area >= _LARGE and max(*stated, *own) <= _WIDEST_ROOM and not hall:
         return "more than 340 m2 a storey"
-    upper = max(stated[1], *allocation.furniture.values(), 0.0)
+    upper = max([stated[1], *(area for name, area in allocation.furniture.items() if name not in halls)])
     most = (_WIDEST_BESIDE_HALL, _WIDEST_BESIDE_HALL) if hall else (_WIDEST_STATED, _WIDEST_OWN)
     ground = most[0] if hall else _WIDEST_GROUND
     if (
@@ -74,12 +76,13 @@ _Sizes = list[tuple[int, float]]
 """Storeys and square metres of rooms."""
 
 
-def _stated(allocation: Allocation, knowledge: KnowledgeBase) -> _Sizes:
-    """Return the rooms that the brief asks for."""
+def _stated(allocation: Allocation, knowledge: KnowledgeBase, halls: Collection[str]) -> _Sizes:
+    """Return the rooms that the brief asks for, without those that are the hubs of `halls`."""
     return [
         (floor, fact.area or knowledge.room(fact.room_type).usual)
         for floor, facts in allocation.wanted.items()
         for fact in facts
+        if fact.name not in halls
     ]
 
 

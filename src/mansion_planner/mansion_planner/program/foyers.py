@@ -10,6 +10,9 @@ __all__ = ["foyer_length"]
 _LEAST, _MOST = 1.2, 9.0
 """Metres of the band beside the entrance that a foyer takes at least and at most."""
 
+_MOST_AREA = 32.0
+"""Square metres of a foyer beside the corridor and the lobby before a lift, where the brief states none."""
+
 _MOST_SHARE = 0.25
 """Greatest share of the bar's length for it."""
 
@@ -22,8 +25,8 @@ def foyer_length(
 ) -> float:
     """Return the metres of the lower band that the hub of an entrance storey takes for a foyer.
 
-    It takes what the rooms of a brief leave when all have sensible sizes; and as much as a foyer of a stated size
-    lacks, of what they leave at the sizes that they are planned with.
+    It takes what the rooms of a brief leave when all have sensible sizes; as much as a foyer of a stated size lacks, of
+    what they leave at the sizes that they are planned with; and a little where no lobby lies before a lift.
 
     Parameters
     ----------
@@ -43,4 +46,18 @@ def foyer_length(
     lacking = stated - massing.corridor * piece - massing.south * lobby_length(massing, storey)
     left = capacity - sum(room.gross for room in rooms)
     length = max(spare, min(lacking, left)) / massing.south
-    return min(length, _MOST, _MOST_SHARE * massing.length) if length >= _LEAST else 0.0
+    most = max(_MOST_AREA, lacking) / massing.south
+    length = min(length, most, _MOST, _MOST_SHARE * massing.length) if length >= _LEAST else 0.0
+    alone = massing.lobby or massing.corridor > _HALL or capacity < _SMALL or any(r.kind.unit for r in rooms)
+    usual = min(max(left, 0.0), _USUAL) / massing.south
+    return length if alone or usual < _LEAST else max(length, min(usual, _MOST_SHARE * massing.length))
+
+
+_USUAL = 15.0
+"""Square metres of a foyer beside the corridor of a building without a lift."""
+
+_HALL = 2.9
+"""Width from which a corridor is a foyer by itself, metres."""
+
+_SMALL = 90.0
+"""Square metres of rooms up to which a corridor is enough to come in by."""

@@ -22,6 +22,7 @@ from mansion_planner.program.model import (
     joined_pairs,
     short_edges,
 )
+from mansion_planner.program.plan_quality import strips
 from mansion_planner.program.separation import keep_apart
 from mansion_planner.program.widths import widened
 
@@ -65,11 +66,11 @@ def sketch_hall(
     """
     best = _arranged(massing, storey, hub_id, pairs, apart, _Arrangement())
     short = len(short_edges(best)) + len(joined_pairs(best, apart))
-    odd = storey.use.family == "home" and _ill_shape(best) > _ODD
+    odd = _ill_shape(best) > _ODD if storey.use.family == "home" else bool(strips(best))
     if not (short or odd) or far_stair(massing):
         return best
     price = (short, _ill_shape(best) if odd else float("inf"))
-    for arrangement in _others(len(storey.rooms)):
+    for arrangement in _others(len(storey.rooms), home=storey.use.family == "home"):
         sketch = _arranged(massing, storey, hub_id, pairs, apart, arrangement)
         found = (len(short_edges(sketch)) + len(joined_pairs(sketch, apart)), _ill_shape(sketch))
         if found < price:
@@ -95,8 +96,11 @@ def _begin(massing: Massing) -> float:
     return max((box[2] for box in near), default=0.0)
 
 
-def _others(rooms: int) -> list[_Arrangement]:
-    """List ways to divide up to `MOST_DIVIDED` rooms: all of them; of more, those that cut their order in two."""
+def _others(rooms: int, *, home: bool) -> list[_Arrangement]:
+    """List ways to divide up to `MOST_DIVIDED` rooms: all of them; of more, those that cut their order in two.
+
+    A few rooms of a home may take a part of the north side alone; those of another hall may all lie at its far side.
+    """
     if rooms <= MOST_DIVIDED:
         # Bit n of `bits` says whether room n lines the north side; no room at all there is left out.
         groups = [tuple(n for n in range(rooms) if bits >> n & 1) for bits in range(1, 1 << rooms)]
@@ -105,7 +109,8 @@ def _others(rooms: int) -> list[_Arrangement]:
         groups += [tuple(range(n, rooms)) for n in range(1, rooms)]
     forms = ((True, False), (True, True), (False, False))
     found = [_Arrangement(group, *form) for form in forms for group in groups]
-    return found + [_Arrangement(tuple(range(rooms)), part=True)] * (0 < rooms <= _FEW)
+    few = 0 < rooms <= _FEW
+    return found + [_Arrangement(tuple(range(rooms)), part=True)] * (few and home) + [_Arrangement(())] * (not home)
 
 
 _FEW = 3
@@ -219,9 +224,22 @@ def _for_column(east: list[Block], column: float) -> list[Block]:
     found: list[Block] = []
     for block in east:
         deep = max((least_sides(room)[1] for room in block.smalls), default=0.0)
-        apart = [block] if column - deep >= LEAST_FRONT else [Block(room) for room in block.fronts()]
+        apart = _apart(block, column) if column - deep >= LEAST_FRONT else [Block(room) for room in block.fronts()]
         found += [_turned(each, column) if not each.smalls else each for each in apart]
     return found
+
+
+_LONG = 2.4
+"""Long side to the short one of a small room up to which it lies in a column by itself."""
+
+
+def _apart(block: Block, column: float) -> list[Block]:
+    """Return a block of the far side and, before it, those of its small rooms that are well shaped by themselves."""
+    alone = [room for room in block.smalls if room.area * _LONG >= column**2 and room.area >= DOOR_WALL * column]
+    if not alone:
+        return [block]
+    kept = tuple(room for room in block.smalls if not any(room is other for other in alone))
+    return [*map(Block, alone), msgspec.structs.replace(block, smalls=kept)]
 
 
 def _turned(block: Block, column: float) -> Block:

@@ -17,7 +17,9 @@ from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.called_sizes import called_size
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
 from mansion_planner.program.exit_stairs import second_stair
+from mansion_planner.program.hall_wings import hall_of_wing
 from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
+from mansion_planner.program.plan_quality import FACING
 from mansion_planner.program.shape_sizes import holds_shape, least_area
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import base_rooms, hub_area, listed_area
@@ -92,11 +94,36 @@ _HOPELESS = 1.5
 """From what share of the stated area on no building can hold the rooms asked for."""
 
 
+_OF_STOREY = 0.6
+"""Greatest share of a usual storey for its main room, where the brief tells the others."""
+
+_SEAT = 2.2
+"""Square metres of a hall for each person whom it is for."""
+
+
+def _hub_of(storey: Storey, decisions: Decisions, allocation: Allocation) -> float:
+    """Return the square metres that the main room of a hall needs."""
+    people = sum(occupants.count for occupants in decisions.facts.occupants)
+    usual = min(storey.hub.usual, _OF_STOREY * decisions.building.floor_area[1])
+    usual = max(_SEAT * people, storey.hub.least) if people else usual
+    return hub_area(storey, allocation) or (usual if allocation.told else storey.hub.least)
+
+
 def _circulation(decisions: Decisions, cores: CoreWish) -> tuple[float, float]:
     """Return what cores and lobby take, and the share of the rest that corridors take."""
     if is_hall(decisions):
         return cores.area, 0.0
     return cores.area + (24.0 if cores.lifts else 0.0), 0.17
+
+
+def _foyer(decisions: Decisions, cores: CoreWish) -> float:
+    """Return the square metres of the foyer of a public building without a lift's lobby."""
+    units = any(fact.unit for fact in decisions.facts.rooms)
+    alone = is_hall(decisions) or cores.lifts or decisions.building.family == "home" or units
+    return 0.0 if alone else _FOYER_AREA
+
+
+_FOYER_AREA = 14.0
 
 
 def storey_area(
@@ -111,10 +138,14 @@ def storey_area(
     """
     fixed, share = _circulation(decisions, cores)
     need, fullest, least = 0.0, storeys[0], 0.0
+    wanted = {storey.index: base_rooms(storey, allocation, knowledge) for storey in storeys}
+    wing = hall_of_wing(decisions, storeys, wanted)
     for storey in storeys:
-        rooms = base_rooms(storey, allocation, knowledge)
-        hub = hub_area(storey, allocation) or storey.hub.least if is_hall(decisions) else 0.0
+        rooms = wanted[storey.index]
+        hub = _hub_of(storey, decisions, allocation) if is_hall(decisions) else 0.0
         wished = sum(room.gross for room in rooms)
+        wished = listed_area(storey, allocation, knowledge) if allocation.told else wished
+        wished -= wing.area if wing is not None and storey.role == "ground" else 0.0
         tight = sum(max(r.least, 0.0) for room in rooms for r in room.each()) + hub
         least = max(least, (tight + fixed) / (1.0 - 0.6 * share))
         if wished + hub > need:
@@ -124,6 +155,7 @@ def storey_area(
         if least <= decisions.area * squeeze:
             return decisions.area, Record()
         return least, Record(downgrades=(_outgrown(decisions, storeys, allocation, fullest, least),))
+    fixed += _foyer(decisions, cores)
     asked = (need + fixed) / (1.0 - share) * 1.02
     usual = decisions.area
     if decisions.building.parti != "spine" or _is_counted(storeys, allocation):
@@ -166,7 +198,7 @@ _BEYOND_TOLD = 1.2
 def _is_told(storeys: Sequence[Storey], allocation: Allocation) -> bool:
     """Whether a brief tells what a building holds, so that it is as large as that and has hardly a room besides."""
     kinds = {fact.room_type for storey in storeys for fact in allocation.wanted[storey.index]}
-    return len(kinds) >= max(_KINDS_TOLD, _KINDS_A_STOREY * len(storeys))
+    return allocation.told or len(kinds) >= max(_KINDS_TOLD, _KINDS_A_STOREY * len(storeys))
 
 
 def _outgrown(
@@ -219,8 +251,14 @@ def _typical(
 
 
 def typical_room(storeys: list[Storey], allocation: Allocation, knowledge: KnowledgeBase) -> float:
-    """Return the median area of the rooms above 8 m2 on a typical storey, square metres."""
+    """Return the median area of the rooms above 8 m2 on a typical storey, square metres.
+
+    Where the brief tells what the building holds, it is that of the rooms which take most of the floor.
+    """
     areas: list[float] = []
+    if allocation.told:
+        told = [room.gross for s in storeys if s.index >= 1 for room in base_rooms(s, allocation, knowledge)]
+        return _half_of_floor(told)
     for storey in storeys:
         if storey.index < 1:
             continue
@@ -230,6 +268,16 @@ def typical_room(storeys: list[Storey], allocation: Allocation, knowledge: Knowl
             areas += [gross] * (entry.count + 2 * entry.repeat)
     areas = sorted(area for area in areas if 8.0 <= area <= 90.0)
     return areas[len(areas) // 2] if areas else 40.0
+
+
+def _half_of_floor(areas: Sequence[float]) -> float:
+    """Return the area of the room in which half of the floor of all is reached, the smallest first."""
+    ordered, reached = sorted(areas), 0.0
+    for area in ordered:
+        reached += area
+        if 2.0 * reached >= sum(ordered):
+            return area
+    return 40.0
 
 
 @dataclass(frozen=True)
@@ -284,7 +332,8 @@ def choose_shape(decisions: Decisions, area: float, stairs: int, generator: np.r
             f"there are {area:.0f}",
         )  # fmt: skip
         return "rectangle", Record(downgrades=(simpler,))
-    if decisions.building.parti == "spine" and area >= 300 and draw < 0.25:
+    wings = decisions.floors == 1  # the corridor of a wing above others is a dead end, or asks for a stair of its own
+    if wings and decisions.building.parti == "spine" and area >= 300 and draw < 0.25:
         return "L" if draw < 0.17 else "T", Record()
     return "rectangle", Record()
 
@@ -295,11 +344,17 @@ def corridor_width(use: BuildingType, area: float) -> float:
         return 1.3 if area < 140 else 1.4
     if use.family == "home" or use.parti == "house":
         return 1.4 if area < 140 else 1.6
+    if not FACING.isdisjoint(use.main) and "stage" not in use.main:
+        return _FOYER
     usual = 1.8 if area < 300 else 2.0
     if use.family in ("health", "education", "retail", "culture", "transport"):
         usual = 2.0 if area < 300 else 2.4
     asked = load_norms().rules["corridor_width"].limit(use.name, use.family) + INTERIOR_THICKNESS
     return max(usual, math.ceil(10.0 * asked) / 10.0)
+
+
+_FOYER = 3.0
+"""Width of the corridor between rooms for audiences, which is where these wait and buy their tickets, metres."""
 
 
 def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
@@ -320,9 +375,9 @@ def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
         depth = min(max(math.sqrt(area / 1.4), 7.0), 11.5)
         return [_domestic_bands(d, corridor, stair) for d in _around(depth, 7, 14)]
     if cores.stairs and area >= 150:
-        south = min(max(math.sqrt(1.35 * wish.room), 4.0), 8.0)
+        south = min(max(math.sqrt(1.35 * wish.room), 4.0), _DEEPEST if wish.room > _LARGE else 8.0)
         depth = min(max(stair + corridor + south, math.sqrt(area / 2.6)), math.sqrt(area / 1.2))
-        bands = [(stair, corridor, d - stair - corridor) for d in _around(depth, 11, 17)]
+        bands = [(stair, corridor, d - stair - corridor) for d in _around(depth, 11, 19 if wish.room > _LARGE else 17)]
         return [band for band in bands if band[2] >= _SHALLOWEST] or bands
     if cores.stairs:
         depth = min(max(math.sqrt(area / 1.25), 8.0), 10.5)
@@ -334,6 +389,9 @@ def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
     depth = min(max(math.sqrt(area / 1.5), 5.0), 16.0)
     return [((d - corridor) / 2, corridor, (d - corridor) / 2) for d in _around(depth, 5, 17)]
 
+
+_LARGE, _DEEPEST = 90.0, 10.0
+"""Area of a typical room from which on the rooms across the corridor from a public stair are so deep, in m2 and m."""
 
 _SHALLOWEST = 3.0
 """Least depth of the rooms across the corridor from a public stair, metres."""

@@ -123,6 +123,8 @@ class Storey:
         The main room of its use, where the building's circulation needs another hub.
     setback, extension : float
         Metres by which it is shorter or longer than the main bar.
+    hall_wing : bool
+        It is longer by a hall that closes its bar, beyond the stair at the end of the storeys above.
     foyer : float
         Metres of the band beside the entrance that its hub has beyond the lift lobby.
     """
@@ -136,6 +138,7 @@ class Storey:
     lead: RoomType | None = None
     setback: float = 0.0
     extension: float = 0.0
+    hall_wing: bool = False
     foyer: float = 0.0
 
 

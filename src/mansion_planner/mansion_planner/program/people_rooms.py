@@ -11,7 +11,7 @@ from mansion_planner.program.household import FOR_VISITORS, STUDIO
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import entries_of
 
-__all__ = ["people_rooms", "place_requests", "place_rooms", "professional_rooms"]
+__all__ = ["SLEPT_IN_TOGETHER", "bed_rooms", "people_rooms", "place_requests", "place_rooms", "professional_rooms"]
 
 _STAFF = frozenset({"employee", "worker", "staff", "visitor", "teacher", "family"})
 """Occupants who are not counted by the rooms that a building has for those whom it serves."""
@@ -85,6 +85,22 @@ def professional_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[t
             fact = RoomFact(name, name, people.span, people.count)
             found.append((fact, f"{people.count} x {name}, one for each {people.noun}"))
     return found
+
+
+SLEPT_IN_TOGETHER = frozenset({"bunk_room", "hostel_dorm", "nap_room", "hospital_ward"})
+"""Types of rooms with several beds."""
+
+_SEVERAL_BEDS = 3
+
+
+def bed_rooms(decisions: Decisions) -> frozenset[str]:
+    """Return the names of rooms with several beds whose number the brief says."""
+    return frozenset(
+        wanted.room
+        for wanted in decisions.facts.objects
+        if wanted.room_type in SLEPT_IN_TOGETHER and (wanted.count or 0) >= _SEVERAL_BEDS and not wanted.excluded
+        and answers("bed", wanted.category or "")
+    )  # fmt: skip
 
 
 def place_rooms(

@@ -5,12 +5,15 @@ from collections.abc import Sequence
 from mansion_planner.program.model import Box, Massing, Placement, PlannedRoom, Sketch, box_area
 
 __all__ = [
+    "FACING",
     "STRIP",
     "aspect",
     "carved",
     "comes_out_as_strips",
+    "crosswise",
     "dark_rooms",
     "fill",
+    "long_halls",
     "ragged",
     "shallow_garages",
     "shrunk_rooms",
@@ -67,6 +70,45 @@ def carved(sketch: Sketch) -> list[Placement]:
 def strips(sketch: Sketch) -> list[Placement]:
     """Return the rooms of a sketch that are long and narrow."""
     return [placement for placement in sketch.rooms if placement.boxes and aspect(placement.boxes) > STRIP]
+
+
+_LONG_HALL, _HALL = 2.6, 100.0
+"""Long side to the short one from which a hall is too long, and the area of a hall, square metres."""
+
+
+def long_halls(sketch: Sketch) -> list[Placement]:
+    """Return the large rooms of a sketch that are of use as rectangles alone and long for that."""
+    return [
+        p for p in sketch.rooms if p.room.kind.whole and p.area >= _HALL and p.boxes and aspect(p.boxes) > _LONG_HALL
+    ]
+
+
+FACING = frozenset({"cinema_hall", "auditorium", "lecture_hall"})
+"""Rooms in rows that look to one end, which people enter at the other or beside it."""
+
+_SQUARE = 1.05
+"""Width to depth of such a room at most."""
+
+
+def crosswise(sketch: Sketch) -> list[Placement]:
+    """Return the rooms in rows of a sketch that are wider than deep, as seen from the corridor or hall before them."""
+    boxes = {corridor.id: corridor.boxes for corridor in sketch.corridors}
+    return [
+        p for p in sketch.rooms
+        if p.room.kind.name in FACING and p.boxes and p.parent in boxes and _is_wide(p.boxes, boxes[p.parent])
+    ]  # fmt: skip
+
+
+def _is_wide(room: list[Box], before: list[Box]) -> bool:
+    """Whether a room is wider along what is before it than it is deep."""
+    x0, y0 = (min(box[i] for box in room) for i in (0, 1))
+    x1, y1 = (max(box[i] for box in room) for i in (2, 3))
+    along = max(
+        (min(x1, b[2]) - max(x0, b[0]) for b in before if min(abs(b[3] - y0), abs(b[1] - y1)) < 0.01), default=0
+    )
+    up = max((min(y1, b[3]) - max(y0, b[1]) for b in before if min(abs(b[2] - x0), abs(b[0] - x1)) < 0.01), default=0)
+    wide, deep = (x1 - x0, y1 - y0) if along >= up else (y1 - y0, x1 - x0)
+    return wide > _SQUARE * deep
 
 
 _TWO_CARS = 30.0

@@ -24,11 +24,17 @@ _WALLS = 1.6
 _WOMENS = 2.0
 """Water closets of a restroom for women at least: one alone makes a queue (planning practice)."""
 
+_MENS = 0.75
+"""Least area of a restroom for men to that for women (planning practice: as many fixtures, some of them urinals)."""
+
 _OF_CHILDREN = 3.0
 """Water closets of a washroom for small children at least, whom two grown-ups take there in groups."""
 
 _CHILDRENS = frozenset({"kindergarten_classroom", "nursery_room"})
 """Rooms of children who go to washrooms of their own."""
+
+_OF_GUESTS = frozenset({"restaurant", "ballroom", "conference_hall"})
+"""Rooms of a hotel that many come to who do not sleep there."""
 
 _LOOSE = 0.4
 """Share of a storey's rooms without a stated area from which on toilets take more than the rules ask for."""
@@ -95,14 +101,8 @@ def with_public_toilets(
     """
     kept = list(rooms)
     own = [room for room in kept if room.kind.name in TOILETS]
-    facts = [fact for fact in allocation.wanted.get(storey.index, ()) if fact.room_type in TOILETS]
-    settled = (
-        any(fact.area or fact.count is not None for fact in facts)
-        if facts
-        else not all(allocation.adds(name, storey.index) for name in TOILETS)
-    )
     entrance = storey.role in ("single", "ground")
-    if settled or storey.role == "basement" or not (own or entrance):
+    if _is_settled(storey, kept, allocation) or storey.role == "basement" or not (own or entrance):
         return kept
     before, whole = sum(room.gross for room in own), sum(room.gross for room in kept)
     grown = fit_areas(kept, capacity) if capacity else kept
@@ -118,6 +118,15 @@ def with_public_toilets(
             asked = [room for room in own if room.stated]
             return [*rest[:place], *(_serving(room, asked) for room in fitting), *rest[place:]]
     return kept
+
+
+def _is_settled(storey: Storey, rooms: Sequence[PlannedRoom], allocation: Allocation) -> bool:
+    """Whether the brief counts, sizes or refuses the toilets of a storey; one of children may be several."""
+    facts = [fact for fact in allocation.wanted.get(storey.index, ()) if fact.room_type in TOILETS]
+    if not facts:
+        return not all(allocation.adds(name, storey.index) for name in TOILETS)
+    children = any(room.kind.name in _CHILDRENS for top in rooms for room in top.each())
+    return any(fact.area or (fact.count or 0) > int(children) for fact in facts)
 
 
 def _serving(toilet: PlannedRoom, asked: Sequence[PlannedRoom]) -> PlannedRoom:
@@ -165,7 +174,7 @@ def _need_of(
     """
     norms, family, kind = load_norms(), storey.use.family, storey.use.name
     rule = norms.rules["separate_toilets"]
-    if not rule.holds_for(family):
+    if not rule.holds_for(family) and not any(room.kind.name in _OF_GUESTS for room in rooms):
         return None
     passing = norms.people(storey.hub.name, hub, knowledge)
     here, later = (passing + _people_in(each, knowledge) for each in (rooms, grown))
@@ -199,16 +208,20 @@ def _choices(
     small = planned_room(kind, knowledge, area=kind.least)
     if not need.separate:
         return [[small]] if accessible and not any(_serves_wheelchairs(room) for room in rooms) else []
+    least = {"men": 1.0, "women": _WOMENS if roomy else 1.0}
+    least = dict.fromkeys(least, _OF_CHILDREN) if need.children else least
+    areas = {name: _area_for(max(need.closets[name], least[name]), need.basins / 2) for name in need.closets}
+    areas["men"] = max(areas["men"], _MENS * areas["women"])
     toilets = []
-    for name, closets in need.closets.items():
-        least = _OF_CHILDREN if need.children else _WOMENS if name == "women" and roomy else 1.0
-        area = _area_for(max(closets, least), need.basins / 2)
+    for name, area in areas.items():
         room = planned_room(knowledge.room("restroom"), knowledge, area=area)
         called = "childrens_washroom" if need.children else f"{name}s_restroom"
         toilets.append(msgspec.structs.replace(room, id=called, base=called))
-    if not accessible:
+    if not accessible and not roomy:
         return [toilets]
     best = [*toilets, planned_room(kind, knowledge)]
+    if not accessible:
+        return [best, toilets]
     return [best, [small, small]] if need.one_each else [best]
 
 

@@ -7,15 +7,18 @@ from typing import Final
 from mansion_knowledge import BuildingType, RoomType
 from mansion_planner.program.model import PlannedRoom
 
-__all__ = ["at_home", "growth_weight", "is_described", "is_needed", "reach", "weight_beyond"]
+__all__ = ["at_home", "growth_weight", "is_described", "is_needed", "most_sensible", "reach", "weight_beyond"]
 
 _NEEDED: Final = frozenset(
     """
     restroom toilet accessible_toilet bathroom ensuite_bathroom reception waiting_room ticket_office kitchen
-    commercial_kitchen open_kitchen living_room changing_room shower_area loading_dock utility_room
+    open_kitchen living_room changing_room shower_area utility_room
     """.split()
 )
 """Rooms of a type's own list that serve the others, whatever the brief asks for."""
+
+_NEEDED_OF_LIST: Final = frozenset({"commercial_kitchen", "loading_dock"})
+"""Those that serve rooms of the list, which a building has not where the brief tells what it holds."""
 
 _DESCRIBED: Final = 0.2
 """Share of the area for rooms that those of the brief take where it describes the storey."""
@@ -55,12 +58,14 @@ def is_described(asked: Sequence[PlannedRoom], capacity: float) -> bool:
     return sum(room.gross for room in asked) >= _DESCRIBED * capacity
 
 
-def is_needed(kind: RoomType, use: BuildingType) -> bool:
+def is_needed(kind: RoomType, use: BuildingType, *, told: bool) -> bool:
     """Whether a storey has a room of its type's own list also where the brief describes it.
 
-    It serves the others, or it is what such a building is known by: the bookshelves of a library.
+    It serves the others, such a building does not work without it, or it is what such a building is known by: the
+    bookshelves of a library. `told` says whether the brief tells what the building holds.
     """
-    return kind.name in _NEEDED or kind.suggests == use.name
+    usual = _NEEDED if told else _NEEDED | _NEEDED_OF_LIST
+    return kind.name in usual | (use.needed or frozenset()) or kind.suggests == use.name
 
 
 def reach(rooms: Sequence[PlannedRoom]) -> float:
@@ -71,7 +76,7 @@ def reach(rooms: Sequence[PlannedRoom]) -> float:
 def _reach(room: PlannedRoom) -> float:
     if room.fixed:
         return room.area
-    times = _FLEXIBLE if room.kind.flexible else _SERVING if _serves(room.kind) else _OTHERS
+    times = _FLEXIBLE if room.kind.flexible else _SERVING if _serves(room.kind) or room.kind.sleeping else _OTHERS
     times = times if room.stated else max(1.0, _UNASKED * times)
     return max(min(room.most, times * room.area), room.area)
 
@@ -91,11 +96,29 @@ _BATHS: Final = frozenset({"bathroom", "ensuite_bathroom", "toilet"})
 def weight_beyond(room: PlannedRoom) -> float:
     """Return the same where all rooms have the most that is sensible: nobody wants a toilet or a store larger then."""
     serves = room.kind.zone == "service" and not (room.kind.flexible or room.kind.daylight)
-    hardly = serves or room.kind.toilet or room.kind.name in _BATHS
+    hardly = serves or room.kind.toilet or room.kind.name in _BATHS or room.kind.name in _BY_THE_ENTRANCE
     return _HARDLY if hardly else growth_weight(room)
 
 
 _HARDLY: Final = 0.15
+
+
+_BY_THE_ENTRANCE: Final = frozenset(
+    """
+    reception ticket_office concession_stand service_counter waiting_room cloakroom security_room watch_room
+    nurse_station security_check
+    """.split()
+)
+"""Rooms that people stop at on their way to others."""
+
+_MODEST: Final = 1.6
+"""To how many times its planned area a room of service or by the entrance grows while others can take more."""
+
+
+def most_sensible(room: PlannedRoom) -> float:
+    """Return the square metres to which a room grows while others can take more."""
+    modest = _serves(room.kind) or room.kind.name in _BY_THE_ENTRANCE
+    return max(min(room.most, _MODEST * room.area), room.least) if modest else room.most
 
 
 def _serves(kind: RoomType) -> bool:

@@ -21,7 +21,7 @@ PASSAGE = 1.5
 _DOOR_SIDE = 1.4
 """Least length of wall along a passage for a room's door, metres."""
 
-_LONGEST = 4.6
+_LONGEST = 4.0
 """Most metres of a passage: with the way to the middle of the corridor, the dead end that the rules allow in public."""
 
 _DEEPER = (1.0, 0.8, 1.25)
@@ -30,8 +30,12 @@ _DEEPER = (1.0, 0.8, 1.25)
 _TO_THE_WALL = 0.4
 """What a passage that goes on to the outer wall costs, in units of long side to short one."""
 
-_OFF, _SLACK = 4.0, 0.15
+_OFF, _SLACK = 8.0, 0.15
 """The same for each share by which a room is smaller or larger than asked for, beyond a slack."""
+
+
+_LACKING = 200.0
+"""The same for each metre that a side lacks."""
 
 
 @dataclass(frozen=True)
@@ -119,10 +123,12 @@ def _laid(wishes: Sequence[Wish], width: float, depth: float, order: _Order, dee
         along = min(deeper * share * depth / (sides + share), depth - 0.1)
         boxes[end] = (0.0, along, width, depth)
     wide = [sides * area / sum(beside) for area in beside]
-    wide = widened(wide, [_DOOR_SIDE, _DOOR_SIDE]) if right else wide
+    least = [max([_DOOR_SIDE, *(wishes[n].short for n in column)]) for column in (left, right)]
+    wide = widened(wide, least) if right else wide
     for column, (x0, x1) in zip((left, right), ((0.0, wide[0]), (wide[0] + PASSAGE, width))):
         total = sum(wishes[n].area for n in column)
-        rises = widened([along * wishes[n].area / total for n in column], [_DOOR_SIDE] * len(column))
+        lengths = [_length_beside(wishes[n], x1 - x0) for n in column]
+        rises = widened([along * wishes[n].area / total for n in column], lengths)
         for number, y0, high in zip(column, itertools.accumulate(rises, initial=0.0), rises):
             boxes[number] = (x0, y0, x1, y0 + high)
     rooms = tuple(boxes[number] for number in range(len(wishes)))
@@ -130,6 +136,11 @@ def _laid(wishes: Sequence[Wish], width: float, depth: float, order: _Order, dee
     doors = min(box[3] - box[1] for number, box in boxes.items() if number != end)
     price = max(price, 10.0 * (_DOOR_SIDE - doors)) + 10.0 * max(along - _LONGEST, 0.0)
     return Cluster(rooms, (wide[0], 0.0, wide[0] + PASSAGE, along), price)
+
+
+def _length_beside(wish: Wish, wide: float) -> float:
+    """Return the least length along a passage of a room that is so wide across it, metres."""
+    return max(_DOOR_SIDE, wish.short if wide >= wish.long else wish.long)
 
 
 def _price(wishes: Sequence[Wish], rooms: Sequence[Box]) -> float:
@@ -144,7 +155,7 @@ def _price(wishes: Sequence[Wish], rooms: Sequence[Box]) -> float:
 
 def _price_of_sides(wish: Wish, box: Box) -> float:
     short, long = sorted((box[2] - box[0], box[3] - box[1]))
-    return long / max(short, 0.1) + 10.0 * max(wish.short - short, wish.long - long, 0.0)
+    return long / max(short, 0.1) + _LACKING * max(wish.short - short, wish.long - long, 0.0)
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from mansion_knowledge import KnowledgeBase, RoomType
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.decisions import Decisions
+from mansion_planner.program.hall_wings import is_free_for_wing, is_hall_of_wing
 from mansion_planner.program.model import Storey
 from mansion_planner.program.storeys import entries_of, floors_of
 
@@ -32,7 +33,7 @@ def floors_for(
     """
     above = [storey.index for storey in storeys if storey.index >= 1]
     count = number_of(fact)
-    if fact.floors:
+    if fact.floors and not _named_with_others(fact, decisions):
         chosen = [f for f in floors_of(fact.floors, decisions) if f in wanted] or [above[-1]]
         found: list[int] = []
         for number, floor in enumerate(chosen):
@@ -46,19 +47,40 @@ def floors_for(
     if not beside or count > 1:
         partners = _with_partners(fact, knowledge, storeys, wanted)
         beside = partners or _preferred(fact, knowledge, decisions, storeys, wanted)
-    return _emptiest(fact, count, beside, wanted, knowledge), ""
+    return _emptiest(fact, count, beside, wanted, knowledge, decisions), ""
+
+
+def _named_with_others(fact: RoomFact, decisions: Decisions) -> bool:
+    """Whether a storey stands after another room of a list, which visitors do not come to first as they do to this one.
+
+    "A service counter and offices on the second floor" has its counter at the entrance.
+    """
+    if fact.room_type not in _AT_THE_DOOR - {"indoor_pool"} or fact.each:
+        return False
+    others = [other.span for other in decisions.facts.rooms if other is not fact]
+    others += [use.span for use in decisions.facts.uses]
+    return all(
+        ref.kind == "number" and any(fact.span.end <= span.start and span.end <= ref.span.start for span in others)
+        for ref in fact.floors
+    )
 
 
 def in_order(facts: Sequence[RoomFact], decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFact]:
     """Return facts in the order in which they get their storeys.
 
-    Rooms that follow others come after these, and free bathrooms come once bedrooms have their storeys.
+    Rooms that follow others come after these, and free bathrooms come once bedrooms have their storeys. Several
+    of a kind for any storey of a public building come after those for one storey, and fill up what these leave.
     """
+    home = decisions.building.family == "home"
 
     def turn(fact: RoomFact) -> int:
         if is_free_bathroom(fact, decisions):
+            return 3
+        kind = knowledge.room(fact.room_type)
+        if not fact.floors and _follows(kind):
             return 2
-        return int(not fact.floors and _follows(knowledge.room(fact.room_type)))
+        several = number_of(fact) > 1 and not (home or fact.floors or fact.each)
+        return int(several and kind.storey == "any")
 
     return sorted(facts, key=turn)
 
@@ -69,9 +91,19 @@ def _emptiest(
     floors: Sequence[int],
     wanted: Mapping[int, Sequence[RoomFact]],
     knowledge: KnowledgeBase,
+    decisions: Decisions,
 ) -> list[int]:
-    """Return a storey for each of `count` rooms: the one where the brief asks for the least area so far."""
-    areas = {floor: [_area(other, knowledge) for other in wanted[floor]] for floor in floors}
+    """Return a storey for each of `count` rooms: the one where the brief asks for the least area so far.
+
+    A hall that gets a wing of its own takes none of its storey.
+    """
+    wing = is_free_for_wing(decisions)
+
+    def counted(other: RoomFact) -> float:
+        area = _area(other, knowledge)
+        return 0.0 if wing and is_hall_of_wing(knowledge.room(other.room_type), area) else area
+
+    areas = {floor: [counted(other) for other in wanted[floor]] for floor in floors}
     found = []
     for _ in range(count):
         floor = min(floors, key=lambda f: (sum(areas[f]), f))

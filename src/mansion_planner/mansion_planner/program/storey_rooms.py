@@ -7,11 +7,21 @@ from dataclasses import replace
 import msgspec
 
 from mansion_knowledge import KnowledgeBase, RoomEntry
+from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.household import STUDIO, use_of
 from mansion_planner.program.model import PlannedRoom, Storey
+from mansion_planner.program.people_rooms import SLEPT_IN_TOGETHER
 from mansion_planner.program.planned_rooms import planned_room
-from mansion_planner.program.room_growth import at_home, growth_weight, is_described, is_needed, reach, weight_beyond
+from mansion_planner.program.room_growth import (
+    at_home,
+    growth_weight,
+    is_described,
+    is_needed,
+    most_sensible,
+    reach,
+    weight_beyond,
+)
 from mansion_planner.program.storeys import entries_of
 
 __all__ = [
@@ -34,7 +44,7 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
     """Return the rooms that the brief asks for on a storey, as rooms to be placed."""
     rooms = []
     for fact in allocation.wanted[storey.index]:
-        if fact.room_type == storey.hub.name and fact.count == 1:
+        if fact.count == 1 and (fact.room_type == storey.hub.name or _is_way(fact, storey)):
             continue
         kind = knowledge.room(fact.room_type)
         kind = at_home(kind) if storey.use.family == "home" and fact.size != "large" else kind
@@ -43,9 +53,21 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
         room = planned_room(kind, knowledge, area=area, fact=fact)
         if not fact.known and fact.name.endswith("_room"):
             rooms.append(room if room.fixed else msgspec.structs.replace(room, most=min(room.most, _MOST_LIKE * area)))
+        elif placed and kind.name in SLEPT_IN_TOGETHER and not room.fixed:
+            rooms.append(msgspec.structs.replace(room, most=min(room.most, _MOST_BY_PLACES * area)))
         else:
             rooms.append(room if placed or fact.size else _as_in_its_building(room, storey))
     return rooms
+
+
+_MOST_BY_PLACES = 1.25
+"""Greatest share of what its beds need for a room whose beds the brief counts."""
+
+
+def _is_way(fact: RoomFact, storey: Storey) -> bool:
+    """Whether a room of the brief is the corridor along which a storey's rooms lie anyway."""
+    along = storey.use.parti == "spine" and storey.use.family != "home" and storey.hub.zone == "circulation"
+    return along and fact.room_type == "corridor" and not fact.area
 
 
 _MOST_LIKE = 1.6
@@ -57,10 +79,14 @@ _LEAST_LISTED = 0.6
 
 
 def _as_in_its_building(room: PlannedRoom, storey: Storey) -> PlannedRoom:
-    """Return a room as large as the building type's own list has it: the kitchen of a villa, a clinic's laboratory."""
+    """Return a room as large as the building type's own list has it: the kitchen of a villa, a clinic's laboratory.
+
+    Stores in a basement are no measure for those above.
+    """
+    below = storey.role == "basement"
     areas = [
-        entry.area for entries in storey.use.storeys.values() for entry in entries
-        if entry.room_type == room.kind.name and entry.area
+        entry.area for role, entries in storey.use.storeys.items() for entry in entries
+        if entry.room_type == room.kind.name and entry.area and (role == "basement") is below
     ]  # fmt: skip
     area = max([*areas, _LEAST_LISTED * room.kind.usual])
     own = room.area == room.kind.usual and not room.kind.toilet
@@ -70,11 +96,22 @@ def _as_in_its_building(room: PlannedRoom, storey: Storey) -> PlannedRoom:
 
 
 def listed_area(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> float:
-    """Return what the rooms asked for and the storey's own list take at their usual sizes, square metres."""
+    """Return what the rooms asked for and the storey's own list take at their usual sizes, square metres.
+
+    Where the brief tells what the building holds, those alone of the list count that serve it.
+    """
     total = sum(room.gross for room in base_rooms(storey, allocation, knowledge))
+    main = _needed_entries(storey, allocation, knowledge) if allocation.told else []
     for entry in entries_of(storey):
-        if allocation.adds(entry.room_type, storey.index) and not entry.repeat:
-            total += entry.count * allocation.added(entry, knowledge).gross
+        if not allocation.adds(entry.room_type, storey.index) or entry.repeat:
+            continue
+        if (
+            allocation.told
+            and entry not in main
+            and not is_needed(knowledge.room(entry.room_type), storey.use, told=True)
+        ):
+            continue
+        total += entry.count * allocation.added(entry, knowledge).gross
     return total
 
 
@@ -124,7 +161,7 @@ def fill_storey(
         kind = knowledge.room(entry.room_type)
         if sum(room.least for top in rooms for room in top.each()) + kind.least <= _CROWDED * budget:
             rooms.append(allocation.added(entry, knowledge))
-    described = is_described(rooms, budget)
+    described = allocation.told or is_described(rooms, budget)
     rooms = _with_listed(
         storey, allocation, knowledge, rooms, budget, elsewhere, needed=needed, beside_hub=not hub_share
     )
@@ -137,7 +174,10 @@ def fill_storey(
                 break
             rooms.append(room)
             used += room.gross
-    return _topped_up(storey, allocation, knowledge, rooms, budget, most_rooms, elsewhere, described=described)
+    return _topped_up(
+        storey, allocation, knowledge, rooms, budget, most_rooms, elsewhere,
+        described=described, beside_hub=not hub_share,
+    )  # fmt: skip
 
 
 _MAIN, _MOST_MAIN = 0.45, 0.8
@@ -181,14 +221,15 @@ def _with_listed(
         The hub is a passage, and no room of the list may crowd the others out.
     """
     filled = list(rooms)
-    present = {fact.room_type for fact in allocation.wanted[storey.index]}
+    present = Counter(fact.room_type for fact in allocation.wanted[storey.index])
     used = sum(room.gross for room in filled)
-    described = is_described(rooms, budget)
+    described = allocation.told or is_described(rooms, budget)
     home = storey.use.family == "home"
     extras = (storey.use.filler or knowledge.groups.filler_of(storey.use.family)) if home else ()
     for entry in (entry for entry in entries_of(storey) if entry not in needed):
         kind = knowledge.room(entry.room_type)
-        if described and not is_needed(kind, storey.use) and reach(filled) >= budget:
+        enough = reach(filled) >= budget or (allocation.told and not beside_hub)
+        if described and not is_needed(kind, storey.use, told=allocation.told) and enough:
             continue
         if kind.name == "bathroom" and _has_baths(filled):
             continue
@@ -196,7 +237,7 @@ def _with_listed(
             continue
         if kind.name in extras and kind.name in elsewhere:
             continue
-        for _ in range(0 if entry.repeat else max(entry.count - (kind.name in present), 0)):
+        for _ in range(0 if entry.repeat else max(entry.count - present[kind.name], 0)):
             room = allocation.added(entry, knowledge)
             room = _beside_others(room, budget) if beside_hub else room
             small = min(room.gross, room.gross * 0.5 + 0.5 * kind.least)
@@ -281,7 +322,10 @@ _CROWDED = 1.25
 
 
 _ONE_A_STOREY = frozenset(
-    "lounge common_room laundry_room gym cafe bar sauna business_center computer_lab art_room break_room".split()
+    """
+    lounge common_room laundry_room gym cafe bar sauna business_center computer_lab art_room break_room archive
+    training_room storage
+    """.split()
 )
 """Rooms of general use that a storey is not filled up with more than once."""
 
@@ -303,14 +347,15 @@ def _topped_up(
     elsewhere: Collection[str],
     *,
     described: bool,
+    beside_hub: bool,
 ) -> list[PlannedRoom]:
     """Return the rooms, with others of general use where the brief settles the number of those that would fill up.
 
     A storey that the brief describes gets none as soon as its rooms can grow to fill it.
     """
     filled = list(rooms)
-    if storey.hub.zone == "service" or storey.hub.name == STUDIO:
-        return filled  # a hall for cars, goods or machines takes what is left, and so does a studio
+    if storey.hub.zone == "service" or storey.hub.name == STUDIO or (allocation.told and not beside_hub):
+        return filled  # a hall for cars, goods or machines takes what is left, and so do a studio and a hall of guests
     names = storey.use.filler or knowledge.groups.filler_of(storey.use.family)
     home = storey.use.family == "home"
     once = storey.use.family in ("home", "lodging")
@@ -367,7 +412,7 @@ def fit_areas(rooms: Sequence[PlannedRoom], capacity: float) -> tuple[PlannedRoo
 
 def _within_limits(room: PlannedRoom, area: float, factor: float) -> float:
     strength = factor if factor < 1.0 else 1.0 + (factor - 1.0) * growth_weight(room)
-    return min(max(area * strength, room.least), room.most)
+    return min(max(area * strength, room.least), most_sensible(room))
 
 
 def _beyond_limits(room: PlannedRoom, area: float, factor: float) -> float:

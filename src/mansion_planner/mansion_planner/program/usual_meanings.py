@@ -19,6 +19,8 @@ _MEANT = {
     "showroom": ("car_showroom",), "kitchenette": ("kitchen",), "sleeping_area": ("bedroom",),
     "hall": ("assembly_hall", "conference_hall"), "guest_room": ("hotel_room",), "bedroom": ("hotel_room",),
     "gym": ("home_gym",), "dressing_room": ("walk_in_closet",),
+    "playroom": ("kindergarten_classroom",), "treatment_room": ("dental_room",), "garage": ("apparatus_bay",),
+    "storage_room": ("stock_room",), "storage": ("stock_room",), "store_room": ("stock_room",),
     "stall": ("food_stall",), "seating": ("restaurant", "cafeteria", "cafe"),
     "seating_area": ("restaurant", "cafeteria", "cafe"), "library": ("library_room",),
     "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
@@ -34,10 +36,13 @@ _OF_EVERY_HOME = frozenset({"kitchen", "bedroom", "home_gym", "walk_in_closet", 
 _SHARED_BATHS = frozenset({"bathroom", "restroom", "shower_area", "toilet"})
 """Rooms that guests share where a brief asks for them: their bedrooms have none of their own."""
 
-_OF_GUESTS = frozenset({"bedroom", "bathroom"})
+_OF_GUESTS = frozenset({"bedroom"})
 """Rooms that guests of a hotel have as well."""
 
-_PRIVATE = frozenset({"bedroom", "master_bedroom", "living_room", "bathroom"})
+_WHERE_NOBODY_SLEEPS = frozenset({"education", "office", "culture", "retail", "food", "civic", "worship", "industry"})
+"""Families of buildings in which a bathroom is a toilet."""
+
+_PRIVATE = frozenset({"bedroom", "master_bedroom", "living_room"})
 
 
 def as_meant_in(building: BuildingType, facts: BriefFacts) -> BriefFacts:
@@ -149,6 +154,8 @@ def _meanings_in(building: BuildingType, facts: BriefFacts) -> _Meanings | None:
     stated = {room.room_type for room in facts.rooms}
     kinds = {plain: next((kind for kind in found if kind in own), "") for plain, found in _MEANT.items()}
     meant = {plain: kind for plain, kind in kinds.items() if kind and kind not in stated}
+    if building.family in _WHERE_NOBODY_SLEEPS and not stated & (_PRIVATE | {"toilet", "restroom"}):
+        meant["bathroom"] = "restroom"
     if stated & _SHARED_BATHS:
         meant.pop("bedroom", "")
     private = _PRIVATE - _OF_GUESTS if building.family == "lodging" else _PRIVATE
