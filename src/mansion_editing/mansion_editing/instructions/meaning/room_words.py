@@ -7,6 +7,7 @@ from functools import lru_cache
 from shapely import Polygon
 
 from mansion_assets.catalogue.vocabulary import stems
+from mansion_editing.instructions.phrases.lexicon import READ_LIKE
 from mansion_editing.state import SceneState
 from mansion_knowledge import default_knowledge, interchangeable_names
 from mansion_msgs_py.scene import SceneRoom
@@ -77,7 +78,7 @@ def _rank(room: SceneRoom, name: str, number: str | None) -> int:
 
 def _read_like(text: str) -> tuple[str, ...]:
     """Return the words of a name as instructions are read: without the s of genitives, children for kids."""
-    return tuple("child" if word == "kid" else word for word in stems(text) if word != "s")
+    return tuple(READ_LIKE.get(word, word) for word in stems(text) if word != "s")
 
 
 def _is_synonym(wanted: tuple[str, ...], kind: tuple[str, ...]) -> bool:

@@ -289,12 +289,13 @@ def _direction(phrase: tuple[str, ...]) -> tuple[bool, bool]:
 
 
 def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
-    """Whether a storey is only the modifier of a noun ("in the ground floor kitchen")."""
-    return (
-        at < len(words)
-        and (words[at].text == "one" or lexicon.is_room((words[at].text,)) or lexicon.is_object((words[at].text,)))
-        and (words[at].text not in ("on", "in"))
-    )
+    """Whether a storey is only the modifier of a noun ("in the ground floor kitchen", "on the top floor guest bed")."""
+    if at >= len(words) or words[at].text in ("on", "in"):
+        return False
+    if words[at].text == "one":
+        return True
+    spans = [tuple(word.text for word in words[at : at + count]) for count in (1, 2, 3) if at + count <= len(words)]
+    return any(lexicon.is_object(span) or lexicon.is_room(span) for span in spans)
 
 
 _DISTANCES: Final[dict[str, Relation]] = {

@@ -89,6 +89,9 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
             end += 1
             continue
         ending = text in ENDS_RUN and not (end > at and word.genitive)
+        if ending and end > at and _is_within_name(words, end, at, lexicon):
+            end += 1
+            continue
         if ending and not (text in _MAY_BE_NOUN and _starts_noun(words, end, at, lexicon)):
             break
         if text in DETERMINERS and end >= at and text != "own":
@@ -113,6 +116,13 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if word.genitive and end < len(words) and words[end].text in PREPOSITIONS:
             break
     return end
+
+
+def _is_within_name(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
+    """Whether a preposition or joint stands within a name: ``the walk-in closet``, ``the lost-and-found office``."""
+    starts, ends = range(max(at, end - 2), end), range(end + 2, min(len(words), end + 3) + 1)
+    spans = (tuple(word.text for word in words[first:last]) for first in starts for last in ends)
+    return any(lexicon.is_own_room(span) or lexicon.is_called(span) for span in spans)
 
 
 def _is_named(words: Sequence[Word], at: int, end: int, lexicon: Lexicon) -> bool:

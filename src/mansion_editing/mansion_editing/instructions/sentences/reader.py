@@ -35,7 +35,7 @@ from mansion_editing.instructions.sentences.old_ones import (
     with_old_ones_first,
 )
 from mansion_editing.instructions.sentences.owners import owners_named
-from mansion_editing.instructions.sentences.questions import read_question
+from mansion_editing.instructions.sentences.questions import further_question, read_question
 from mansion_editing.instructions.sentences.recounting import Recounting
 from mansion_editing.instructions.sentences.referring import Referring
 from mansion_editing.instructions.sentences.refinement import (
@@ -517,6 +517,7 @@ class _Reader(
     def _reads_question(self, reader: ClauseReader, words: Sequence[Word], at: int, *, marked: bool) -> bool:
         try:
             found = read_question(reader, words, at, marked=marked)
+            more = None if found is None else further_question(reader, found, marked=marked)
         except NotUnderstood as fault:
             if words[at].text in MODALS:
                 return False  # "could the black chairs be white ones?"
@@ -528,11 +529,9 @@ class _Reader(
         self.statements.append(ask)
         end = reader.skip(end)
         if end < len(words):
-            if words[end].text in ("and", "or") or words[end - 1].text in (",", "and"):
-                more = read_question(reader, words, end, marked=marked)
-                if more is not None and more[1] > end:
-                    self.statements.append(more[0])
-                    end = reader.skip(more[1])
+            if more is not None:
+                self.statements.append(more[0])
+                end = reader.skip(more[1])
             if end < len(words) and reader.starts_clause(end):
                 self.topic = self._asked_for(ask)
                 while end < len(words):
