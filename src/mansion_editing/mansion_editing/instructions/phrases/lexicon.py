@@ -254,6 +254,9 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
             yield name
             if len(name) > 1 and name[-1].isdecimal():
                 yield name[:-1]
+            if "and" in name[1:-1]:
+                joint = name.index("and")
+                yield from (name[:joint], name[joint + 1 :])  # the kitchen of "Kitchen and living room"
 
 
 def _names_of_kind(room_type: str) -> frozenset[tuple[str, ...]]:

@@ -6,7 +6,7 @@ from typing import Final, Literal, TypeAlias
 
 from mansion_editing.instructions.phrases.amounts import PARTS
 from mansion_editing.instructions.phrases.lexicon import ANYTHING, HYPERNYMS, Lexicon
-from mansion_editing.instructions.phrases.runs import SHADES, end_of_run
+from mansion_editing.instructions.phrases.runs import SHADES, SIDES, end_of_run
 from mansion_editing.instructions.phrases.words import ADVERBS, PERSONS, STATE_WORDS, VAGUE, Word
 from mansion_language.colours import COLOUR_WORDS
 
@@ -219,6 +219,8 @@ def _modified(
             states[name] = value
         elif word.text in SIZE_HINTS:
             hints.append(SIZE_HINTS[word.text])
+        elif word.text in SIDES:
+            hints.append(word.text)
         elif word.text in VAGUE or word.text in SHADES or word.text in ADVERBS or word.text.endswith("ly"):
             continue
         else:

@@ -31,8 +31,10 @@ from mansion_editing.instructions.sentences.lacking_some import LackingSome
 from mansion_editing.instructions.sentences.lids import opened_as_whole
 from mansion_editing.instructions.sentences.old_ones import (
     with_companions_first,
+    with_former_ones_first,
     with_last_of_them_first,
     with_old_ones_first,
+    with_replacements,
 )
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import further_question, read_question
@@ -55,6 +57,7 @@ from mansion_editing.instructions.sentences.refinement import (
 )
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.scene_setting import SceneSetting
+from mansion_editing.instructions.sentences.selecting import with_those_taken
 from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.sentences.topics import about_its_room
 from mansion_editing.instructions.statements import (
@@ -150,7 +153,9 @@ class _Reader(
         compared = [w for w in plain if is_comparative(SIZE_HINTS.get(w.text, "")) and '"type":"Replace"' in told]
         plain = [w for w in plain if w not in compared]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        ordered = with_companions_first(with_last_of_them_first(with_old_ones_first(self.statements)))
+        chosen = with_those_taken(self.statements)
+        ordered = with_old_ones_first(with_replacements(with_former_ones_first(chosen)))
+        ordered = with_companions_first(with_last_of_them_first(ordered))
         ordered = with_takings_first(ordered, self.lexicon)
         statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
