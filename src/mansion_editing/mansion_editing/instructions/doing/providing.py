@@ -55,6 +55,9 @@ MOST_NEW = 100
 _WHOLE: Final = re.compile(r"\b(all|each|every|any|both|whatever)\b", re.IGNORECASE)
 """Words for things of which each is replaced by one; ``the two chairs`` are replaced by ``a bench`` together."""
 
+_ONE_FOR_ALL: Final = re.compile(r"\b(?:by|with|for) (?:just |only )?(?:one|a single|1)\b", re.IGNORECASE)
+"""Words for one new thing in place of all; of ``both lamps by a candle`` each is replaced."""
+
 Made = Generator[Action, Outcome, list[str]]
 """Ends with the ids of new objects."""
 
@@ -543,7 +546,8 @@ def replace_things(statement: Replace, state: SceneState, context: Context) -> W
     olds = things_meant(state, statement.things, context)
     by = statement.by
     each = bool(_WHOLE.search(statement.quote)) or len({old.room for old in olds}) > 1
-    one_by_one = by.plural or len(olds) == 1 or (statement.things.amount.kind == "all" and each)
+    together = by.amount.number == 1 and _ONE_FOR_ALL.search(statement.quote) is not None
+    one_by_one = by.plural or len(olds) == 1 or (statement.things.amount.kind == "all" and each and not together)
     number = new_number(by) if by.amount.number > 1 or not one_by_one else len(olds)
     gone: list[str] = []
     made: list[str] = []

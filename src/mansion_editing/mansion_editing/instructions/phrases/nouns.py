@@ -152,6 +152,8 @@ def _split(
         span = tuple(texts[first:])
         if len(span) > 1 and (span[-1] == "one" or (span[0] in COLOUR_WORDS and lexicon.is_object(span[1:]))):
             continue
+        if len(span) == 1 and span[0] in COLOUR_WORDS and not lexicon.is_called(span):
+            continue  # "a chair, green" asks for no vegetable
         own, room, thing = lexicon.is_own_room(span), lexicon.is_room(span), lexicon.is_object(span)
         if span[-1] in PERSONS and not own:
             continue

@@ -7,6 +7,7 @@ from typing import Final
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.words import PLURAL_PRONOUNS, SENTENCE_ENDS
+from mansion_editing.instructions.syntax.appositions import without_appositions
 from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
 from mansion_editing.instructions.syntax.made_numbers import made_number, with_number_made
 from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in, taken_up
@@ -57,7 +58,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     text : str
         In running text, without contractions.
     """
-    words: Sequence[TaggedWord] = tagged(text, lexicon)
+    words: Sequence[TaggedWord] = without_appositions(tagged(text, lexicon))
     if any(word.text in _FOREIGN for word in words):
         return
     clauses, words = _wished(clauses_of(words), words)
