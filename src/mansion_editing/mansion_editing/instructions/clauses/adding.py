@@ -102,12 +102,6 @@ class Adding(States, Colours):
         out = [msgspec.structs.replace(statement, quote=self.quote(at, end)) for statement in out]
         return self.with_companions(out, at, end)
 
-    def _put_away(self, items: list[Item], quote: str) -> list[Statement]:
-        """Read ``put the keyboard on the desk away``: what is there goes."""
-        if any(item.is_room or not (item.phrase.definite or item.phrase.refers) for item in items):
-            raise NotUnderstood(items[0].phrase.start, items[-1].end)
-        return [self._removed(items, item, (), (), quote) for item in items]
-
     def _fronted_holder(self, at: int, place: int) -> int:
         """Read ``inside`` and ``on it`` before what is new ("put inside two apples") into the frame; 0 for others."""
         start = place - (place - 1 > at and self.text(place - 1) in ("in", "on"))

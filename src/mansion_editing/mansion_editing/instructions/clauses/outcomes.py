@@ -5,9 +5,10 @@ from typing import Final
 
 import msgspec
 
-from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.sentence import Sentence
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
+from mansion_editing.instructions.phrases.storage import AWAY
 from mansion_editing.instructions.phrases.word_sets import BEFORE_SPOTS, NO_FRONTED_PLACES
 from mansion_editing.instructions.statements import (
     Add,
@@ -47,6 +48,14 @@ class Outcomes(Sentence):
             at += 1
         spot = _FACED.get(self.text(at))
         return None if spot is None else (spot, at + 1)
+
+    def _put_away(self, items: list[Item], quote: str) -> list[Statement]:
+        """Read ``put the keyboard on the desk away``: what is there is kept in furniture of its room."""
+        if any(item.is_room or not (item.phrase.definite or item.phrase.refers) for item in items):
+            raise NotUnderstood(items[0].phrase.start, items[-1].end)
+        shared = () if any(item.places for item in items[:-1]) else items[-1].places
+        whole = [Item(item.phrase, item.places or shared, item.end).things() for item in items]
+        return [Move(things=self._all_if_plural(self._within_frame(one)), place=AWAY, quote=quote) for one in whole]
 
     def _shared_goal(self, items: Sequence[Item], item: Item) -> tuple[Place, bool]:
         """Return where a thing of several goes: its own place, else the next one's, else the last before it."""

@@ -53,8 +53,10 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
     if clear is not None and not _acts_on(points, clear):
         return clear
     for number, said in enumerate(_wordings(text, lexicon, points, tuple(state.floors))):
-        if number >= _MOST_READINGS or (clear is not None and not said.remarks):
+        if number >= _MOST_READINGS:
             break
+        if clear is not None and not said.remarks:
+            continue
         read = read_instruction(said.text, state, brief)
         doubtful = bool(said.remarks) and (_only_keeps(read) or _may_ask(said, state, brief))
         if _is_clear(read, said.text) and not doubtful:

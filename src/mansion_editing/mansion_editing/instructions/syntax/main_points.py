@@ -8,6 +8,7 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.words import PLURAL_PRONOUNS, SENTENCE_ENDS
 from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
+from mansion_editing.instructions.syntax.list_colons import without_list_colons
 from mansion_editing.instructions.syntax.made_numbers import made_number, with_number_made
 from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in, taken_up
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
@@ -24,6 +25,8 @@ _ONES: Final = frozenset(["one", "ones"])
 _HITHER: Final = frozenset("in over across along".split())
 _ALSO: Final = frozenset("too also well".split())
 _CORRECTING: Final = frozenset("no nope sorry wait oops correction scratch forget rather actually".split())
+_WAYS: Final = frozenset(["into", "onto", "to"])
+"""Prepositions by which a clause without a verb asks that something goes somewhere."""
 _FOREIGN: Final = frozenset('$ { } \\ / ~ & * _ = < > | # @ % ^ " “ ”'.split())
 """Marks of names and of code, which are no English."""
 
@@ -57,7 +60,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     text : str
         In running text, without contractions.
     """
-    words: Sequence[TaggedWord] = tagged(text, lexicon)
+    words: Sequence[TaggedWord] = without_list_colons(tagged(text, lexicon))
     if any(word.text in _FOREIGN for word in words):
         return
     clauses, words = _wished(clauses_of(words), words)
@@ -246,6 +249,8 @@ class _Points:
                 out = out[:-1] if new else out
             elif word.text in _ONES and word.tag in ("pronoun", "number") and not within:
                 new = self._instead_of_one(clause, number)
+            elif word.text == "each" and out and out[-1].tag == "preposition" and word.tag == "pronoun":
+                new = self._each_of_them()
             elif word.tag == "pronoun" and word.text in _PRONOUNS and not (within or taken_up):
                 new, out = self._instead_of_pronoun(word, out, last=number + 1 == clause.end)
             taken_up = taken_up or (bool(new) and word.text not in _ONES)
@@ -268,6 +273,14 @@ class _Points:
         if new and last and before and before[0].verb in ("leave", "keep"):
             return f"{new} as {'they are' if word.text in PLURAL_PRONOUNS else 'it is'}", before
         return new, before
+
+    def _each_of_them(self) -> str:
+        """Return ``each of the six desks`` for ``each`` after words about them; empty where none were told of."""
+        for mentions in reversed(self.mentions):
+            several = [one for one in mentions if one.kind == "thing" and one.plural]
+            if several:
+                return f"each of {several[0].words}" if len(several) == 1 and several[0].told else ""
+        return ""
 
     def _instead_of_one(self, clause: Clause, number: int) -> str:
         """Return the noun that ``one`` stands for, with an article where it has none; empty where none was told of."""
@@ -320,6 +333,8 @@ def _joint(last: Clause, clause: Clause, words: Sequence[TaggedWord], mark: str)
         return ": "
     if clause.sentence != last.sentence or clause.after in (":", "-", "(", "–"):
         return f"{mark} "
+    if clause.after == "then":
+        return ", then "
     return f" {clause.after} " if clause.after.isalpha() else ", "
 
 
@@ -413,6 +428,7 @@ def _is_topic(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: in
     concerning = [word.text for word in words[clause.start : clause.start + 2]] == ["as", "for"]
     first = words[clause.start + 2 * concerning]
     opens = first.tag in ("determiner", "possessive", "noun", "number") and first.text not in ("no", "every")
+    opens = opens and not any(word.text in _WAYS for word in words[clause.start : clause.end])
     pronoun = next((at for at, word in enumerate(later) if word.tag == "pronoun" and word.text in _PRONOUNS), None)
     named = pronoun is not None and any(word.tag == "noun" for word in later[:pronoun])
     return opens and pronoun is not None and not named

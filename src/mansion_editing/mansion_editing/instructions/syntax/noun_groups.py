@@ -12,6 +12,7 @@ _ALONE: Final = frozenset(["pronoun", "somebody", "number"])
 _WITHIN: Final = frozenset(["noun", "adjective", "number"])
 _ADDING: Final = frozenset("which who along together including with".split())
 """Words that begin an addition between commas: ``the desk, along with its chair, ...``."""
+_BETWEEN_NUMBERS: Final = frozenset(["to", "and", "or", ",", "-", "–", "&"])
 _MOST_STEPS: Final = 40
 
 
@@ -31,6 +32,7 @@ def end_of_noun_group(words: Sequence[TaggedWord], at: int) -> int:
             break  # "the storage room one"
         at += 1
     if at > named:
+        at = _end_of_numbers(words, at)
         joined = _text(words, at) == "'" or _text(words, at - 1).endswith(("'s", "s'"))
         return end_of_noun_group(words, at) if joined and _tag(words, at) in _BEFORE_NOUNS | _WITHIN else at
     if at > first and _tag(words, at) in ("pronoun", "somebody"):
@@ -40,6 +42,16 @@ def end_of_noun_group(words: Sequence[TaggedWord], at: int) -> int:
     if _tag(words, at) in _ALONE:
         return at + 1
     return start
+
+
+def _end_of_numbers(words: Sequence[TaggedWord], at: int) -> int:
+    """Return the end of ``rooms 1 to 4``, ``rooms 2, 3 and 5`` whose first number ends at a place."""
+    numbered = _tag(words, at - 2) == "noun" and _text(words, at - 1).isdecimal()
+    while numbered and _text(words, at) in _BETWEEN_NUMBERS and _text(words, at + 1).isdecimal():
+        if _tag(words, at + 2) == "noun":
+            break  # "room 4 and 2 chairs"
+        at += 2
+    return at
 
 
 def _is_before_noun(words: Sequence[TaggedWord], at: int) -> bool:

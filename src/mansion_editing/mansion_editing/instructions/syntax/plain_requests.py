@@ -35,7 +35,7 @@ def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedW
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
         _without_edges, _without_added_clause, _with_companions, _without_comparison, _with_share, _with_part_after,
-        _with_replaced_after, _as_obliged, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
+        _with_replaced_after, _with_place_after, _as_going, _as_obliged, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
         _as_turned, _without_purpose, _with_plain_verb,
     )  # fmt: skip
     said = list(words)
@@ -156,6 +156,39 @@ def _with_replaced_after(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagg
     ]
 
 
+def _with_place_after(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``put a lamp and a mug on each desk`` for ``on each desk I need a lamp and a mug``."""
+    if words[0].tag != "preposition" or words[0].text in ("of", "from", "for", "with", "without", "instead"):
+        return words
+    subject = _end_of_place(words, 0)
+    verb = subject + 1
+    while verb < len(words) and (words[verb].tag in ("modal", "adverb") or words[verb].text == "have"):
+        verb += 1
+    wishing = verb < len(words) and (words[verb].verb in _WISHING or words[verb - 1].text == "have")
+    if not subject or subject >= len(words) or words[subject].text not in ("i", "we") or not wishing:
+        return words
+    new = verb + (words[verb].verb in _WISHING)
+    new += 2 * ([word.text for word in words[new : new + 2]] == ["to", "have"])
+    if end_of_noun_group(words, new) == new or words[new].text in ("the", "it", "them", "to"):
+        return words
+    put = replace(words[verb], text="put", raw="put", tag="verb", verb="put", form="base")
+    place = words[: subject - (words[subject - 1].text == ",")]
+    return [put, *words[new:], replace(place[0], raw=place[0].text), *place[1:]]
+
+
+def _as_going(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``move all of the plates into the sink`` for ``all of the plates into the sink``."""
+    goal = next((k for k in range(1, len(words)) if words[k].text in _WAYS), 0)
+    known = words[0].text in ("the", "all", "both", "those", "these", "my", "our", "that", "this", "every")
+    if not goal or not known or any(word.is_finite or word.form == "base" for word in words):
+        return words
+    told = any(word.text in ("it", "them", "those", "these") for word in words[:goal])
+    if not (told or names_something(words[:goal], lexicon)) or not names_something(words[goal:], lexicon):
+        return words
+    first = replace(words[0], raw=words[0].text)
+    return [replace(first, text="move", raw="move", tag="verb", verb="move", form="base"), first, *words[1:]]
+
+
 def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``the cart should be here`` for ``it would make sense for the cart to be here``."""
     at = next((k for k in range(2, len(words) - 3) if words[k].text == "for"), 0)
@@ -168,6 +201,7 @@ def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     return [*words[at + 1 : end], should, *words[end + 1 :]]
 
 
+_WISHING: Final = frozenset("need want like".split())
 _BETTER: Final = frozenset("better nicer use useful good well best lovely nice great fun perfect".split())
 
 
