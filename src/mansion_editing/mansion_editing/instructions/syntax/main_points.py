@@ -12,6 +12,7 @@ from mansion_editing.instructions.syntax.list_colons import without_list_colons
 from mansion_editing.instructions.syntax.made_numbers import made_number, with_number_made
 from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in, taken_up
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
+from mansion_editing.instructions.syntax.pairs import with_pairs_joined
 from mansion_editing.instructions.syntax.plain_requests import plainly_asked
 from mansion_editing.instructions.syntax.requests import names_something, only_tells
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
@@ -25,6 +26,7 @@ _ONES: Final = frozenset(["one", "ones"])
 _HITHER: Final = frozenset("in over across along".split())
 _ALSO: Final = frozenset("too also well".split())
 _CORRECTING: Final = frozenset("no nope sorry wait oops correction scratch forget rather actually".split())
+_PARTS_OF_ROOMS: Final = frozenset("door wall window corner floor ceiling middle entrance".split())
 _WAYS: Final = frozenset(["into", "onto", "to"])
 """Prepositions by which a clause without a verb asks that something goes somewhere."""
 _FOREIGN: Final = frozenset('$ { } \\ / ~ & * _ = < > | # @ % ^ " “ ”'.split())
@@ -60,6 +62,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     text : str
         In running text, without contractions.
     """
+    text = with_pairs_joined(text, lexicon)
     words: Sequence[TaggedWord] = without_list_colons(tagged(text, lexicon))
     if any(word.text in _FOREIGN for word in words):
         return
@@ -249,6 +252,9 @@ class _Points:
                 out = out[:-1] if new else out
             elif word.text in _ONES and word.tag in ("pronoun", "number") and not within:
                 new = self._instead_of_one(clause, number)
+            elif word.text == "its" and self._is_part_of_told_room(number):
+                out.append(replace(word, text="the", raw="the", tag="determiner"))
+                continue
             elif word.text == "each" and out and out[-1].tag == "preposition" and word.tag == "pronoun":
                 new = self._each_of_them()
             elif word.tag == "pronoun" and word.text in _PRONOUNS and not (within or taken_up):
@@ -273,6 +279,12 @@ class _Points:
         if new and last and before and before[0].verb in ("leave", "keep"):
             return f"{new} as {'they are' if word.text in PLURAL_PRONOUNS else 'it is'}", before
         return new, before
+
+    def _is_part_of_told_room(self, at: int) -> bool:
+        """Whether ``its`` stands before a part of the room that was told of just before: ``by its door``."""
+        last = self.mentions[-1] if self.mentions else []
+        part = self.words[at + 1].text if at + 1 < len(self.words) else ""
+        return singular(part) in _PARTS_OF_ROOMS and [one.kind for one in last] == ["room"] and last[0].told
 
     def _each_of_them(self) -> str:
         """Return ``each of the six desks`` for ``each`` after words about them; empty where none were told of."""

@@ -11,6 +11,7 @@ from mansion_editing.instructions.syntax.verb_forms import Form, verb_forms
 from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import singular
 from mansion_language.numbers import CARDINALS, ORDINALS
+from mansion_language.tokens import lower_without_accents
 
 __all__ = ["Tag", "TaggedWord", "joined", "tagged", "text_of"]
 
@@ -157,7 +158,7 @@ def text_of(words: Sequence[TaggedWord], text: str) -> str:
 
 def _by_class(match: re.Match[str]) -> TaggedWord:
     """Return a word with the part of speech that it has by itself, a noun where no class has it."""
-    text = match.group().lower()
+    text = lower_without_accents(match.group())
     return TaggedWord(text, next(_classes(text), "noun"), match.start(), match.end(), match.group())
 
 
