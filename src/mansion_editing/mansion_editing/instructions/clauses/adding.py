@@ -78,6 +78,7 @@ class Adding(States, Colours):
 
     def _added_at(self, at: int, place: int, items: list[Item]) -> tuple[list[Statement], int]:
         """Return that things come to their places, with what comes along."""
+        items = self._coming_together(self.text(at), items)
         end = items[-1].end
         structure = self._new_core(items, at, end)
         if structure is not None:

@@ -12,7 +12,7 @@ from mansion_editing.instructions.paraphrases.remarks import without_remarks
 from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Instruction, Keep, Mention, Things
+from mansion_editing.instructions.statements import Instruction, Keep, Mention, Rename, Rooms, Things
 from mansion_editing.instructions.syntax.arrows import without_arrows
 from mansion_editing.instructions.syntax.main_points import MainPoints, main_points
 from mansion_editing.state import SceneState
@@ -99,6 +99,8 @@ def _is_clear(read: Instruction, text: str) -> bool:
     """Whether a text was understood, and nothing is left of a correction or of what a pronoun takes up of a remark."""
     if read.not_understood or _taken_back(read, text):
         return False
+    if any(isinstance(one, Rename) and one.room == Rooms() for one in read.statements):
+        return False  # "their room"
     asked = next((one for one in read.statements if not isinstance(one, Mention)), None)
     things = getattr(asked, "things", None)
     bare = isinstance(things, Things) and things.refers in ("last", "others") and not things.noun

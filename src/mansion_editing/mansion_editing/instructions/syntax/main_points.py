@@ -14,7 +14,7 @@ from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.pairs import with_pairs_joined
 from mansion_editing.instructions.syntax.plain_requests import plainly_asked
-from mansion_editing.instructions.syntax.requests import names_something, only_tells
+from mansion_editing.instructions.syntax.requests import is_person, names_something, only_tells
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
 from mansion_language.inflection import plural, singular
 
@@ -73,6 +73,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
         or _is_topic(clauses, words, number)
         or _is_counted_before(clauses, words, number)
         or _repeats_swap(clauses, words, number)
+        or _is_met_next(clauses, words, number)
         for number, tells in enumerate(told)
     ]
     if all(told) or any(tells and _corrects(clause, words) for clause, tells in zip(clauses, told, strict=True)):
@@ -98,6 +99,7 @@ class _Points:
     mentions: list[list[Mentioned]] = field(default_factory=list)
     asked: list[tuple[Clause, list[TaggedWord]]] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    names_rooms: bool = False
     described: list[str] = field(default_factory=list)
 
     def add(self, clause: Clause, *, tells: bool) -> None:
@@ -154,7 +156,7 @@ class _Points:
         whole = "".join(parts)
         rooms = self._told_rooms()
         named = any(one.kind == "room" and not one.told for mentions in self.mentions for one in mentions)
-        if len(rooms) == 1 and not named and rooms[0] not in whole:
+        if len(rooms) == 1 and not (named or self.names_rooms) and rooms[0] not in whole:
             return f"in {rooms[0]}, {whole}{mark}"
         return f"{whole}{mark}"
 
@@ -229,7 +231,7 @@ class _Points:
         end = len(said) - 1 - (said[-2:-1] != [] and said[-2].text == "as")
         named = end_of_noun_group(said[:end], 0)
         start = 1 + (before[1].text in ("out", "up", "down", "off", "away"))
-        rest = before[max(start, end_of_noun_group(before, start)) :]
+        rest = before[max(start, _end_of_list(before, start)) :]
         rest = [word for word in rest if word.tag in ("preposition", "adverb")][:1] if named < end else rest
         return [*before[:start], *said[:end], *rest] if named else []
 
@@ -252,6 +254,12 @@ class _Points:
                 out = out[:-1] if new else out
             elif word.text in _ONES and word.tag in ("pronoun", "number") and not within:
                 new = self._instead_of_one(clause, number)
+            elif word.tag == "number" and out and out[-1].text == "in" and (rooms := self._numbered_rooms(number)):
+                out.append(replace(word, raw=f"{rooms} {word.raw}"))
+                continue
+            elif word.text in ("their", "his", "her") and (owner := self._owner_of_room(number)):
+                out.append(replace(word, text=owner, raw=owner, tag="possessive"))
+                continue
             elif word.text == "its" and self._is_part_of_told_room(number):
                 out.append(replace(word, text="the", raw="the", tag="determiner"))
                 continue
@@ -279,6 +287,25 @@ class _Points:
         if new and last and before and before[0].verb in ("leave", "keep"):
             return f"{new} as {'they are' if word.text in PLURAL_PRONOUNS else 'it is'}", before
         return new, before
+
+    def _numbered_rooms(self, at: int) -> str:
+        """Return ``nap rooms`` for ``in 2, 3 and 4`` after words about the nap rooms; empty where no such were told of."""
+        following = self.words[at + 1] if at + 1 < len(self.words) else None
+        bare = following is None or following.tag in ("mark", "joint")
+        rooms = self.mentions[-1] if self.mentions else []
+        several = [one for one in rooms if one.kind == "room" and one.told and one.plural]
+        numbered = self.words[at].text.isdecimal() and bare and len(several) == 1
+        self.names_rooms = self.names_rooms or numbered
+        return several[0].noun if numbered else ""
+
+    def _owner_of_room(self, at: int) -> str:
+        """Return ``the kids'`` for ``their`` before ``room`` after words about the kids, whose room there is."""
+        room = self.words[at + 1].text if at + 1 < len(self.words) else ""
+        for person in reversed(self.words[:at]):
+            name = (singular(person.text), room)
+            if person.tag == "noun" and is_person([person]) and self.lexicon.is_own_room(name):
+                return f"the {person.text}'" if person.text.endswith("s") else f"the {person.text}'s"
+        return ""
 
     def _is_part_of_told_room(self, at: int) -> bool:
         """Whether ``its`` stands before a part of the room that was told of just before: ``by its door``."""
@@ -333,6 +360,17 @@ class _Points:
                 raise _Uncertain
             return meant
         return ""
+
+
+def _end_of_list(words: Sequence[TaggedWord], at: int) -> int:
+    """Return the end of the noun groups that are listed from a place on: ``the mug and the plate``."""
+    end = end_of_noun_group(words, at)
+    while end < len(words) and words[end].text in ("and", ","):
+        following = end_of_noun_group(words, end + 1)
+        if following == end + 1:
+            break
+        end = following
+    return end
 
 
 def _joint(last: Clause, clause: Clause, words: Sequence[TaggedWord], mark: str) -> str:
@@ -416,6 +454,21 @@ def _repeats_swap(clauses: Sequence[Clause], words: Sequence[TaggedWord], number
     if before is None or clause.after != "so" or words[before.verb].verb not in ("swap", "swop", "trade", "exchange"):
         return False
     return any(word.text in ("other", "other's") for word in words[clause.start : clause.end])
+
+
+_VAGUELY: Final = frozenset("more some light seating storage space colour color greenery warmth".split())
+
+
+def _is_met_next(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:
+    """Whether ``the hall needs more light`` only says why the next clause adds a lamp."""
+    clause = clauses[number]
+    following = clauses[number + 1] if number + 1 < len(clauses) else None
+    if clause.form != "statement" or following is None or following.form != "order":
+        return False
+    adding = BY_WORDS.get((words[following.verb].verb,)) in ("add", "bring")
+    needed = [word for word in words[clause.verb : clause.end] if word.tag not in ("adverb", "verb")]
+    vague = len(needed) == 2 and all(word.text in _VAGUELY for word in needed)
+    return adding and vague and words[clause.verb].verb in ("need", "want", "require", "lack")
 
 
 def _corrects(clause: Clause, words: Sequence[TaggedWord]) -> bool:

@@ -67,6 +67,15 @@ def mentioned_in(
             at += 1
             continue
         kind = _kind(words[at:end], lexicon)
+        again = words[at].text == "the" and words[end - 1].text == "one" and bool(found) and found[-1].kind == "thing"
+        if again and end == at + 2:
+            place = _place_after(clause, words, end)
+            said = f"the {singular(found[-1].noun)} {text_of(place, text)}".strip()
+            inside = max(inside, place[-1].end if place else 0)
+            stop = _end_of(place, words, end)
+            found.append(Mentioned("thing", said, found[-1].noun, False, False, told, at, end, stop))
+            at = end
+            continue
         if kind == "thing" and words[at].start < inside:
             kind = None
         if kind is not None:

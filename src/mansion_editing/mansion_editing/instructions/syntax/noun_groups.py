@@ -85,7 +85,8 @@ def _after_attachment(words: Sequence[TaggedWord], at: int) -> int:
     word = words[at]
     if word.tag in ("preposition", "to") or (word.tag == "joint" and word.text in ("and", "or")):
         end = end_of_noun_group(words, at + 1)
-        return end if end > at + 1 else at
+        here = word.tag == "preposition" and _text(words, at + 1) in ("here", "there")  # "nobody up here"
+        return end if end > at + 1 else at + 2 if here else at
     following = words[at + 1] if at + 1 < len(words) else None
     if word.text == "," and following is not None and following.text in _ADDING:
         comma = next((k for k in range(at + 2, len(words)) if words[k].text == ","), None)

@@ -84,6 +84,22 @@ def _aim(goal: Sequence[TaggedWord]) -> str:
     return joined(goal[1:]) if plain else joined(goal)
 
 
+def _swapped_with_companions(
+    clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon
+) -> _Joined:
+    """Put ``remove the chairs and replace the table by a desk`` for ``swap the table with its chairs for a desk``."""
+    said = _said(clauses[at], words)
+    if clauses[at].form != "order" or BY_WORDS.get((said[0].verb,)) not in ("swap", "replace"):
+        return None
+    texts = _texts(said)
+    own = next((k for k in range(2, len(said) - 3) if texts[k] in ("with", "and") and texts[k + 1] in ("its", "their")), 0)
+    new = next((k for k in range(own + 3, len(said) - 1) if texts[k] in ("for", "by", "with")), 0) if own else 0
+    if not new:
+        return None
+    gone = joined([*said[own + 2 : new]])
+    return at + 1, f"remove the {gone} and replace {joined(said[1:own])} by {joined(said[new + 1 :])}"
+
+
 def _added_where_missing(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
     """Put ``there should be a lamp in every room`` for ``is there a lamp in every room? Add one where it is missing``."""
     if at + 1 >= len(clauses):
@@ -232,5 +248,5 @@ _VALUES: Final = {
     )
 }
 _RULES: Final[tuple[Callable[[Sequence[Clause], int, Sequence[TaggedWord], Lexicon], _Joined], ...]] = (
-    _carried, _added_where_missing, _all_made_so, _exchanged, _too_many, _told_in_detail,
+    _carried, _swapped_with_companions, _added_where_missing, _all_made_so, _exchanged, _too_many, _told_in_detail,
 )  # fmt: skip

@@ -56,7 +56,7 @@ class TaggedWord:
 
 
 _WORD: Final = re.compile(
-    r"(?:mrs?|ms|dr|prof|st)\.(?=\s)|(?:no|nr|approx)\.(?=\s?\d)|\d+(?:[.,]\d+)?(?:st|nd|rd|th)?|[^\W\d_]+(?:[-'][^\W\d_]+)*(?:'(?!\w))?|->|=>|→|\S|\n",
+    r"(?:mrs?|ms|dr|prof|st)\.(?=\s)|(?:no|nr|approx)\.(?=\s?\d)|\d+(?:[.,]\d+)?(?:st|nd|rd|th)?|[^\W\d_]+(?:[-'][^\W\d_]+)*(?:'(?!\w))?|->|=>|→|\"[^\"\n]{1,60}\"|\S|\n",
     re.IGNORECASE,
 )
 _BE: Final = frozenset("is are was were am be been being".split())
@@ -162,8 +162,13 @@ def _by_class(match: re.Match[str]) -> TaggedWord:
     return TaggedWord(text, next(_classes(text), "noun"), match.start(), match.end(), match.group())
 
 
+def _is_quoted(text: str) -> bool:
+    """Whether a word is a name between quotation marks."""
+    return len(text) > 2 and text[0] == text[-1] == '"'
+
+
 def _classes(text: str) -> Iterator[Tag]:
-    if not text[0].isalnum():
+    if not (text[0].isalnum() or _is_quoted(text)):
         yield "mark"
     if text[0].isdigit() or text in CARDINALS or text in ORDINALS:
         yield "number"
@@ -194,6 +199,11 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
         return replace(word, tag="determiner")
     if word.text in ("close", "next", "ready") and after is not None and after.tag == "to":
         return replace(word, tag="adverb")
+    if word.text in ("upstairs", "downstairs") and before is not None and before.tag == "determiner":
+        return replace(word, tag="adjective" if after is not None and after.tag in ("noun", "adjective") else "adverb")
+    if word.text == "light" and before is not None and before.text in ("more", "some", "enough", "the"):
+        named = after is not None and after.tag in ("noun", "adjective")
+        return word if named else replace(word, tag="noun")
     opens_phrase = after is not None and after.tag in ("noun", "adjective", "number")
     opens_phrase = opens_phrase and (after is None or after.text != "one" or word.text in _BEFORE_ONE)
     if word.tag == "determiner" and word.text in _PRONOUNS and not opens_phrase:
