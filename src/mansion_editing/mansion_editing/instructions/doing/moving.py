@@ -305,7 +305,7 @@ def _moved_to_any(
                 reasons.append(answer.error.info.message)
                 continue
             new = _id_after(item.id, answer.value.object_ids, state)
-            if not _only_inside(new, place, target, state):
+            if not (_only_inside(new, place, target, state) or _hidden(new, place, target, state)):
                 return new
             (item,) = live(state, [new])
             reasons.append(f"there is no free place on {arguments['receptacle_id']} for {item.id}, only in it")
@@ -326,6 +326,15 @@ def _only_inside(object_id: str, place: Place, target: Target, state: SceneState
     asset = None if target.anchor is None else state.asset(target.anchor)
     (item,) = live(state, [object_id])
     return place.relation == "on" and asset is not None and carries_on_top(asset) and item.mount == "inside"
+
+
+def _hidden(object_id: str, place: Place, target: Target, state: SceneState) -> bool:
+    """Whether an object that was brought to a room went into furniture that has a top to put it on."""
+    (item,) = live(state, [object_id])
+    holder = None if item.parent is None else state.find(item.parent)
+    asset = None if holder is None else state.asset(holder[1])
+    anywhere = target.anchor is None and not place.relation and item.mount == "inside"
+    return anywhere and asset is not None and carries_on_top(asset)
 
 
 def _only_on_top(object_id: str, place: Place, target: Target, state: SceneState) -> bool:

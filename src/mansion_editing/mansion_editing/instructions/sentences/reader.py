@@ -35,6 +35,7 @@ from mansion_editing.instructions.sentences.old_ones import (
     with_old_ones_first,
 )
 from mansion_editing.instructions.sentences.owners import owners_named
+from mansion_editing.instructions.sentences.painted_rooms import painted_rooms
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.recounting import Recounting
 from mansion_editing.instructions.sentences.referring import Referring
@@ -153,7 +154,7 @@ class _Reader(
         ordered = with_companions_first(with_last_of_them_first(with_old_ones_first(self.statements)))
         ordered = with_takings_first(ordered, self.lexicon)
         statements = turned_by_list(with_storeys(ordered), self.text)
-        statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
+        statements = sets_as_one(sparing_what_goes(painted_rooms(statements)), self.lexicon)
         statements = [
             about_its_room(s, self._words_of(s.quote), self.lexicon, self.floors) if self._tells(s) else s
             for s in statements

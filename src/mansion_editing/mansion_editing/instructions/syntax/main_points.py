@@ -15,6 +15,7 @@ from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.pairs import with_pairs_joined
 from mansion_editing.instructions.syntax.plain_requests import plainly_asked
 from mansion_editing.instructions.syntax.requests import is_person, names_something, only_tells
+from mansion_editing.instructions.syntax.room_numbers import with_room_numbers
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
 from mansion_language.inflection import plural, singular
 
@@ -53,7 +54,7 @@ class _Uncertain(Exception):
 
 
 def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
-    """Yield what a text asks for, in its own words and then as plain orders.
+    """Yield what a text asks for as plain orders and then in its own words.
 
     Nothing where all of it only tells, or a pronoun is not certain.
 
@@ -62,7 +63,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     text : str
         In running text, without contractions.
     """
-    text = with_pairs_joined(text, lexicon)
+    text = with_pairs_joined(with_room_numbers(text, lexicon), lexicon)
     words: Sequence[TaggedWord] = without_list_colons(tagged(text, lexicon))
     if any(word.text in _FOREIGN for word in words):
         return
@@ -78,7 +79,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     ]
     if all(told) or any(tells and _corrects(clause, words) for clause, tells in zip(clauses, told, strict=True)):
         return
-    for plainly in (False, True):
+    for plainly in (True, False):
         try:
             points = _Points(text, words, lexicon, plainly=plainly)
             for clause, tells in zip(clauses, told, strict=True):
@@ -119,7 +120,7 @@ class _Points:
             pass
         else:
             said = [*self._shared_subject(clause), *self._with_antecedents(clause, mentions)]
-            said = self._with_counted_noun(said)
+            said = self._with_counted_noun(self._with_replaced(said))
             said = self._with_room_as_goal(self._with_room_for_there(said)) if self._tells_room() else said
             said = self._in_each_room(self._with_verb_before(clause, said) or said)
             if self.remarks and not self.asked and any(w.text == "there" and w.tag == "adverb" for w in said):
@@ -233,7 +234,9 @@ class _Points:
         start = 1 + (before[1].text in ("out", "up", "down", "off", "away"))
         rest = before[max(start, _end_of_list(before, start)) :]
         rest = [word for word in rest if word.tag in ("preposition", "adverb")][:1] if named < end else rest
-        return [*before[:start], *said[:end], *rest] if named else []
+        again = [replace(before[0], raw=before[0].text), *before[1:start]]
+        named_first = said[0] if said[0].tag == "noun" else replace(said[0], raw=said[0].text)
+        return [*again, named_first, *said[1:end], *rest] if named else []
 
     def _with_antecedents(self, clause: Clause, own: Sequence[Mentioned]) -> list[TaggedWord]:
         """Return the words of a clause with what pronouns of it take up of clauses that only tell.
@@ -287,6 +290,23 @@ class _Points:
         if new and last and before and before[0].verb in ("leave", "keep"):
             return f"{new} as {'they are' if word.text in PLURAL_PRONOUNS else 'it is'}", before
         return new, before
+
+    def _with_replaced(self, said: list[TaggedWord]) -> list[TaggedWord]:
+        """Return ``replace the plants by lamps`` for ``replace by lamps, as many as there were plants``.
+
+        Raises
+        ------
+        _Uncertain
+        """
+        if said[0].verb not in ("replace", "swap", "exchange") or len(said) < 3 or said[1].text not in ("by", "with", "for"):
+            return said
+        things = next((found for m in reversed(self.mentions) if (found := [t for t in m if t.kind == "thing"])), [])
+        if len(things) != 1 or not things[0].told:
+            return said
+        texts = [word.text for word in said]
+        many = next((k for k in range(len(texts) - 2) if texts[k : k + 3] == ["as", "many", "as"]), len(said))
+        rest = said[1 : many - (texts[many - 1] == ",")]
+        return [said[0], replace(said[1], raw=things[0].words, tag="noun"), *rest]
 
     def _numbered_rooms(self, at: int) -> str:
         """Return ``nap rooms`` for ``in 2, 3 and 4`` after words about the nap rooms; empty where no such were told of."""

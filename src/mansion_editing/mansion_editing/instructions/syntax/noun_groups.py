@@ -28,7 +28,7 @@ def end_of_noun_group(words: Sequence[TaggedWord], at: int) -> int:
         at += 1
     named = at
     while _tag(words, at) in _WITHIN or _is_before_noun(words, at):
-        if at > named and _tag(words, at) == "number" and not _text(words, at).isdecimal():
+        if at > named and _text(words, at) == "one":
             break  # "the storage room one"
         at += 1
     if at > named:

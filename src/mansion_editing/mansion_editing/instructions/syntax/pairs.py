@@ -176,15 +176,17 @@ def _definite(words: Sequence[TaggedWord]) -> str:
 
 def _too_many(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
     """Put ``there should be exactly six chairs in the hall`` for ``eight chairs in the hall are too many, leave six``."""
-    counted = _counted(clauses, at, words, lexicon)
+    heading = clauses[at].form == "fragment" and names_something(_said(clauses[at], words), lexicon)
+    told = at + 1 if heading and at + 1 < len(clauses) and words[clauses[at].start].tag != "number" else at
+    counted = _counted(clauses, told, words, lexicon)
     if counted is None:
         return None
     number, named = counted
-    for last in range(at, min(at + 4, len(clauses))):
-        left = _left(_said(clauses[last], words), number, own=last == at)
+    for last in range(told, min(told + 4, len(clauses))):
+        left = _left(_said(clauses[last], words), number, own=last == told)
         if left:
             return last + 1, f"there should be exactly {left} {named}"
-        if last > at and clauses[last].form == "order":
+        if last > told and clauses[last].form == "order":
             return None
     return None
 

@@ -12,6 +12,7 @@ from mansion_editing.instructions.syntax.clauses import TURNING
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.plain_things import (
     with_colour_first,
+    with_lamp_of_ceiling,
     with_one_for_each,
     without_alternatives,
     without_load,
@@ -43,7 +44,7 @@ def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedW
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
         _without_edges, _with_place_after, _as_painted, _without_added_clause, _with_companions, _without_comparison, without_simile, without_load,
-        with_one_for_each, without_alternatives, with_colour_first, _as_removed, _with_share, _with_part_after,
+        with_one_for_each, without_alternatives, with_colour_first, with_lamp_of_ceiling, _as_removed, _with_share, _with_part_after,
         _with_replaced_after, _as_going, _as_obliged, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
         _as_turned, _without_purpose, _with_plain_verb,
     )  # fmt: skip

@@ -12,7 +12,7 @@ from mansion_editing.instructions.syntax.tagged_words import TaggedWord
 from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import singular
 
-__all__ = ["with_colour_first", "with_one_for_each", "without_alternatives", "without_load", "without_simile"]
+__all__ = ["with_colour_first", "with_lamp_of_ceiling", "with_one_for_each", "without_alternatives", "without_load", "without_simile"]
 
 _NEW: Final = frozenset("a an another some any".split())
 _ADDING: Final = frozenset(["add", "bring", "equip", "furnish", "want", "give", "set"])
@@ -70,14 +70,32 @@ def without_alternatives(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagg
         end = end_of_noun_group(words, at + 1)
         new = words[at + 1].text in _NEW or words[at + 1].tag in ("noun", "adjective")
         left = at - (words[at - 1].text == ",")
-        start = next((k for k in range(left - 1, 0, -1) if end_of_noun_group(words, k) < left), 0) + 1
+        start = _start_of_group(words, left)
         counted = start < left and (words[start].text in _NEW or words[start].tag in ("number", "noun", "adjective"))
         if end == at + 1 or not new or not counted:
             continue
-        if names_something(words[start:left], lexicon):
+        nouns = [word for word in words[start:left] if word.tag == "noun"]
+        if nouns and all(names_something([noun], lexicon) for noun in nouns):
             return [*words[:left], *words[end:]]
         if names_something(words[at + 1 : end], lexicon):
-            return [*words[:start], *words[at + 1 :]]
+            first = replace(words[at + 1], raw="a", text="a") if words[at + 1].text == "any" else words[at + 1]
+            return [*words[:start], first, *words[at + 2 :]]
+    return words
+
+
+def _start_of_group(words: Sequence[TaggedWord], end: int) -> int:
+    """Return where the noun group begins that ends at a place: ``a crate of firewood``."""
+    start = next((k for k in range(end - 1, 0, -1) if end_of_noun_group(words, k) < end), 0) + 1
+    return _start_of_group(words, start - 1) if start > 2 and words[start - 1].text == "of" else start
+
+
+def with_lamp_of_ceiling(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``add a ceiling light`` for ``add a light on the ceiling``."""
+    texts = [word.text for word in words]
+    for at in range(1, len(words) - 3):
+        hanging = texts[at + 1] in ("on", "to", "from", "at") and texts[at + 2 : at + 4] == ["the", "ceiling"]
+        if singular(texts[at]) in ("lamp", "light") and texts[at - 1] not in ("floor", "table", "ceiling") and hanging:
+            return [*words[:at], replace(words[at + 3], tag="noun"), words[at], *words[at + 4 :]]
     return words
 
 

@@ -264,6 +264,8 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
         several = singular(before.text) != before.text
         if "third" in kinds or ("base" in kinds and several):
             return _formed(word, forms, "third" if "third" in kinds else "base")
+    if named and "third" in kinds and before is not None and _follows_somebody(words, at) and after is not None:
+        return _formed(word, forms, "third")  # "nobody up here watches TV"
     if before is None or named:
         return None
     if "base" in kinds and words[at - 1].tag == "noun" and after is not None and after.text == "places":
@@ -281,6 +283,15 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
     if told or before.tag in ("noun", "pronoun", "somebody", "adverb", "relative", "number"):
         return _after_subject(words, at, forms, before, after)
     return None
+
+
+def _follows_somebody(words: Sequence[TaggedWord], at: int) -> bool:
+    """Whether only ``up here``, ``really`` stand between a person and a word."""
+    start = at - 1
+    while start > 0 and words[start].tag in ("adverb", "preposition") and at - start < 4:
+        start -= 1
+    opens = start == 0 or words[start - 1].tag in ("mark", "joint")
+    return opens and words[start].tag == "somebody" and start >= 0
 
 
 def _since_mark(words: Sequence[TaggedWord], at: int) -> Sequence[TaggedWord]:
