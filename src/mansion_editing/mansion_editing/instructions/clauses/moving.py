@@ -39,7 +39,7 @@ class Moving(Shifting):
         shifted = self._shifted(at, place)
         if shifted is not None:
             return shifted
-        items = self.items(place)
+        items = self._coming_together(self.text(at), self.items(place))
         end, besides = self.exceptions(items[-1].end)
         if any(item.is_room for item in items):
             raise NotUnderstood(place, end)

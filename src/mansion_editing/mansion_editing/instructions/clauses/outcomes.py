@@ -1,13 +1,15 @@
 """What items with their places amount to: things that are there, new, given, gone or elsewhere."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Final
 
 import msgspec
 
-from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.sentence import Sentence
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
+from mansion_editing.instructions.phrases.storage import AWAY
 from mansion_editing.instructions.phrases.word_sets import BEFORE_SPOTS, NO_FRONTED_PLACES
 from mansion_editing.instructions.statements import (
     Add,
@@ -33,6 +35,10 @@ __all__ = [
     "places_besides",
 ]
 
+_CARRYING: Final = frozenset(
+    "bring carry fetch get deliver move take shift transfer transport haul push pull roll wheel slide drag".split()
+)
+"""Verbs of what goes somewhere else than where it is."""
 _RUBBISH: Final = frozenset("rubbish trash garbage dump skip tip landfill".split())
 """Where things go that leave the building."""
 _FACED: Final[dict[str, Spot]] = {"window": "window", "door": "door", "doorway": "door", "wall": "wall"}
@@ -48,6 +54,14 @@ class Outcomes(Sentence):
         spot = _FACED.get(self.text(at))
         return None if spot is None else (spot, at + 1)
 
+    def _put_away(self, items: list[Item], quote: str) -> list[Statement]:
+        """Read ``put the keyboard on the desk away``: what is there is kept in furniture of its room."""
+        if any(item.is_room or not (item.phrase.definite or item.phrase.refers) for item in items):
+            raise NotUnderstood(items[0].phrase.start, items[-1].end)
+        shared = () if any(item.places for item in items[:-1]) else items[-1].places
+        whole = [Item(item.phrase, item.places or shared, item.end).things() for item in items]
+        return [Move(things=self._all_if_plural(self._within_frame(one)), place=AWAY, quote=quote) for one in whole]
+
     def _shared_goal(self, items: Sequence[Item], item: Item) -> tuple[Place, bool]:
         """Return where a thing of several goes: its own place, else the next one's, else the last before it."""
         at = items.index(item)
@@ -59,6 +73,21 @@ class Outcomes(Sentence):
             if goal[0].anchor is not None or goal[0].rooms is not None:
                 return goal
         return Place(), False
+
+    def _coming_together(self, verb: str, items: list[Item]) -> list[Item]:
+        """Return the things of a list that all go where the last one does, each with where it comes from.
+
+        ``Carry the desk near the window and the chair over to the store`` brings both there.
+        """
+        aimed = tuple(p for p in items[-1].places if p.goal and self.text(p.start) in ("to", "over", "up", "down"))
+        if verb not in _CARRYING or not aimed:
+            return items
+        out: list[Item] = []
+        for item in items[:-1]:
+            stays = bool(item.places) and not any(p.goal or p.source for p in item.places)
+            whence = tuple(replace(p, source=True) for p in item.places)
+            out.append(Item(item.phrase, (*whence, *aimed), item.end) if stays else item)
+        return [*out, items[-1]]
 
     def _source_and_goal(self, places: Sequence[ReadPlace]) -> tuple[Place, Place, bool]:
         """Return where things come from and where they go: the goal begins with ``to``, or is the last place."""

@@ -115,6 +115,19 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         moved = [self._all_if_plural(with_place(item.phrase.things(), source)) for item in items]
         return [Move(things=things, place=goal, quote=quote) for things in moved], end
 
+    def _goes_there(self, items: Sequence[Item], at: int) -> tuple[list[Statement], int] | None:
+        """Read ``all of the dishes into the sink``: without a verb, what is there goes somewhere."""
+        places = items[-1].places
+        aimed = any(p.goal and self.text(p.start) in ("into", "onto", "to") for p in places)
+        known = all((item.phrase.definite or item.phrase.refers) and not item.is_room for item in items)
+        if not aimed or not known:
+            return None
+        source, goal, _ = self._source_and_goal(places)
+        quote = self.quote(at, items[-1].end)
+        named = [item.phrase.things() for item in items]
+        moved = [self._all_if_plural(things if source == Place() else with_place(things, source)) for things in named]
+        return [Move(things=things, place=goal, quote=quote) for things in moved], items[-1].end
+
     def _is_counted_out(self, item: Item) -> bool:
         """Whether an article or a number asks for so many more: ``two plants for the lobby``."""
         phrase = item.phrase
@@ -146,7 +159,7 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         if self._is_way(items[0].phrase):
             return self._way(at, items[0].phrase.end)
         end = items[-1].end
-        carried = self._carried_over(items, at)
+        carried = self._carried_over(items, at) or self._goes_there(items, at)
         if carried is not None:
             return carried
         if self._all_leave(items):

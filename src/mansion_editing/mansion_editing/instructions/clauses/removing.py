@@ -30,6 +30,8 @@ class Removing(Moving):
             return self._move(at, place)
         if self.text(at) == "put" and any(_holds(p.place) for p in items[-1].places if not (p.source or p.relative)):
             return self._move(at, place)  # "put away the mugs in the cupboard"
+        if self.text(at) == "put":
+            return self._put_away(items, self.quote(at, end)), end
         while self.text(end) in AWAY:
             end += 1
         more, end = self.places(end)

@@ -13,6 +13,7 @@ from mansion_editing.instructions.doing.gathering import gather
 from mansion_editing.instructions.doing.new_assets import counters_by
 from mansion_editing.instructions.doing.providing import add, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
+from mansion_editing.instructions.doing.stowing import stow
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
 from mansion_editing.instructions.meaning.choices import at_home, from_there, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context, ambiguous
@@ -25,6 +26,7 @@ from mansion_editing.instructions.meaning.targets import Target, names_any, plac
 from mansion_editing.instructions.meaning.wording import bare_words, place_words, thing_words
 from mansion_editing.instructions.phrases.each_other import EACH_OTHER
 from mansion_editing.instructions.phrases.places import with_place
+from mansion_editing.instructions.phrases.storage import AWAY
 from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
 from mansion_editing.provisioning.facts import Scope
 from mansion_editing.provisioning.making_room import move_after_clearing
@@ -36,7 +38,7 @@ from mansion_editing.tools.perception import object_info
 from mansion_editing.tools.tops import carries_on_top
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["facing_rotation", "move", "swap", "turn"]
+__all__ = ["facing_rotation", "move", "of_goal_room", "swap", "turn"]
 
 
 _QUARTER: Final = 90.0
@@ -58,8 +60,10 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     statement = _to_its_spot(statement, state, context)
     if statement.place.former is not None:
         return (yield from move_to_former_spot(statement, state, context))
+    if statement.place == AWAY:
+        return (yield from stow(statement, state, context))
     statement = _of_another(statement, context)
-    statement = _of_those_before(_of_goal_room(statement, state, context), state, context)
+    statement = _of_those_before(of_goal_room(statement, state, context), state, context)
     things, place = statement.things, statement.place
     found = things_of(state, things, context)
     if place == Place() or (place == Place(rooms=Rooms(same=True)) and _OUT_OF_THERE.search(statement.quote)):
@@ -179,10 +183,15 @@ def _of_another(statement: Move, context: Context) -> Move:
     return msgspec.structs.replace(statement, things=other)
 
 
-def _of_goal_room(statement: Move, state: SceneState, context: Context) -> Move:
-    """Return ``the smallest plant in the lounge on the table`` as the smallest of the lounge, not of the building."""
+def of_goal_room(statement: Move, state: SceneState, context: Context) -> Move:
+    """Return what goes somewhere within a room as what is in that room, where it has such things.
+
+    ``The smallest plant in the lounge on the table`` is the smallest of the lounge, not of the building; ``the boxes in
+    the store on the floor`` are those of the store.
+    """
     things, rooms = statement.things, statement.place.rooms
-    told = things.size or things.ordinal or things.hints
+    within = statement.place.anchor is not None or bool(statement.place.spot)
+    told = things.size or things.ordinal or things.hints or (within and _is_bare_plural(statement))
     if rooms is None or not told or things.place is not None or things.owned or things.refers:
         return statement
     there = msgspec.structs.replace(things, place=Place(rooms=rooms))
@@ -293,12 +302,17 @@ def _refuse_scattered(
     Ambiguous
     """
     things = statement.things
-    bare = things.definite and things.plural and things.amount.kind in ("some", "all") and not things.amount.number
-    bare = bare and not _WHOLE.search(statement.quote)
-    told = things.place is not None or things.owned or things.refers or things.colour or things.material
     rooms = list(dict.fromkeys(item.room for item in away))
-    if bare and not told and len(rooms) > 1 and not here and not set(rooms) & set(context.rooms):
+    if _is_bare_plural(statement) and len(rooms) > 1 and not here and not set(rooms) & set(context.rooms):
         raise ambiguous(thing_words(things), [f"those in {room_title(state, room)}" for room in rooms], rooms)
+
+
+def _is_bare_plural(statement: Move) -> bool:
+    """Whether ``the boots`` move, of which nothing tells where they are, nor that all of them are meant."""
+    things = statement.things
+    bare = things.definite and things.plural and things.amount.kind in ("some", "all") and not things.amount.number
+    told = things.place is not None or things.owned or things.refers or things.colour or things.material
+    return bare and not told and not _WHOLE.search(statement.quote)
 
 
 def _moved_to_any(
@@ -312,7 +326,7 @@ def _moved_to_any(
                 reasons.append(answer.error.info.message)
                 continue
             new = _id_after(item.id, answer.value.object_ids, state)
-            if not _only_inside(new, place, target, state):
+            if not (_only_inside(new, place, target, state) or _hidden(new, place, target, state)):
                 return new
             (item,) = live(state, [new])
             reasons.append(f"there is no free place on {arguments['receptacle_id']} for {item.id}, only in it")
@@ -333,6 +347,15 @@ def _only_inside(object_id: str, place: Place, target: Target, state: SceneState
     asset = None if target.anchor is None else state.asset(target.anchor)
     (item,) = live(state, [object_id])
     return place.relation == "on" and asset is not None and carries_on_top(asset) and item.mount == "inside"
+
+
+def _hidden(object_id: str, place: Place, target: Target, state: SceneState) -> bool:
+    """Whether an object that was brought to a room went into furniture that has a top to put it on."""
+    (item,) = live(state, [object_id])
+    holder = None if item.parent is None else state.find(item.parent)
+    asset = None if holder is None else state.asset(holder[1])
+    anywhere = target.anchor is None and not place.relation and item.mount == "inside"
+    return anywhere and asset is not None and carries_on_top(asset)
 
 
 def _only_on_top(object_id: str, place: Place, target: Target, state: SceneState) -> bool:

@@ -455,6 +455,8 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     else:
         _refuse_to_take_away(statement, number, groups, state, context)
         had, made, gone = yield from _as_many_in_each(things, number, place, groups, state, context)
+    if kind == "at_most" and not had and _TOO_MANY.search(statement.quote):
+        raise Unmet(f"there are no {bare_words(things)}{at_words(place)}")
     items = live(state, made)
     rooms = tuple(dict.fromkeys([*(i.room for i in items), *(t.room for g in groups for t in g[:1])]))
     reply = f"{there_were(had, things.noun)} {place_in(state, place, context) or 'in the building'}"
@@ -467,6 +469,10 @@ _ADDING: Final = re.compile(
     r"\b(add|another|additional|extra|(?<!any )(?<!no )(?<!not )more (?!than))\b", re.IGNORECASE
 )
 """Words by which things come, so that none goes: ``add one more so that there are six``."""
+
+
+_TOO_MANY: Final = re.compile(r"\b(enough|plenty|will do|too many|too much|suffice)\b", re.IGNORECASE)
+"""Words by which there are more than so many."""
 
 
 def _refuse_to_take_away(

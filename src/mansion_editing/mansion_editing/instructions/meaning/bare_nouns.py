@@ -52,7 +52,7 @@ def _is_bare(things: Things, quote: str) -> bool:
     """Whether one thing is named without an article, and nothing says that it is new."""
     plain = not (things.definite or things.plural or things.refers or things.owned or things.place)
     one = things.amount.kind == "some" and things.amount.number == 1
-    if not (plain and one and things.noun):
+    if not things.noun:
         return False
     before = quote.lower().partition(things.noun.lower())[0]
-    return len(before) < len(quote) and _NEW.search(before) is None
+    return plain and one and len(before) < len(quote) and _NEW.search(before) is None

@@ -12,7 +12,7 @@ from mansion_editing.instructions.paraphrases.remarks import without_remarks
 from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Instruction, Keep, Mention, Things
+from mansion_editing.instructions.statements import Instruction, Keep, Mention, Rename, Rooms, Statement, Things
 from mansion_editing.instructions.syntax.arrows import without_arrows
 from mansion_editing.instructions.syntax.main_points import MainPoints, main_points
 from mansion_editing.state import SceneState
@@ -22,6 +22,8 @@ __all__ = ["read_in_other_words", "reworded"]
 _MOST_REMARKS = 2
 _MOST_READINGS = 20
 """How often one instruction is read."""
+_WONDERING: Final = re.compile(r"(who|why|how come|what on earth)\b", re.IGNORECASE)
+"""Words that begin a question which nobody wants answered."""
 _CORRECTION: Final = re.compile(
     r"(?:\.\.\.|…|\s-|,|\.)\s*(?:(?:no|oh|oops|er|um)\b,? )*"
     r"(?:sorry, |no,? wait|wait,? no|scratch that|i mean(?:t)? |or rather |make that |forget (?:that|it)\b)",
@@ -53,8 +55,10 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
     if clear is not None and not _acts_on(points, clear):
         return clear
     for number, said in enumerate(_wordings(text, lexicon, points, tuple(state.floors))):
-        if number >= _MOST_READINGS or (clear is not None and not said.remarks):
+        if number >= _MOST_READINGS:
             break
+        if clear is not None and not said.remarks:
+            continue
         read = read_instruction(said.text, state, brief)
         doubtful = bool(said.remarks) and (_only_keeps(read) or _may_ask(said, state, brief))
         if _is_clear(read, said.text) and not doubtful:
@@ -72,7 +76,7 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
 def _may_ask(said: MainPoints, state: SceneState, brief: str) -> bool:
     """Whether a clause that was left out would be understood as a request if it stood alone."""
     for remark in said.remarks:
-        if remark not in said.described:
+        if remark not in said.described and not _WONDERING.match(remark):
             alone = read_instruction(remark, state, brief)
             if not alone.not_understood and not _only_keeps(alone):
                 return True
@@ -97,10 +101,22 @@ def _is_clear(read: Instruction, text: str) -> bool:
     """Whether a text was understood, and nothing is left of a correction or of what a pronoun takes up of a remark."""
     if read.not_understood or _taken_back(read, text):
         return False
+    if any(isinstance(one, Rename) and one.room == Rooms() for one in read.statements):
+        return False  # "their room"
+    if any(_is_at_bare_number(one) for one in read.statements):
+        return False
     asked = next((one for one in read.statements if not isinstance(one, Mention)), None)
     things = getattr(asked, "things", None)
     bare = isinstance(things, Things) and things.refers in ("last", "others") and not things.noun
     return not (bare and isinstance(read.statements[0], Mention))
+
+
+def _is_at_bare_number(statement: Statement) -> bool:
+    """Whether a statement is about things in ``2``, the number of a room that was only told of."""
+    things = getattr(statement, "things", None)
+    place = things.place if isinstance(things, Things) else None
+    anchor = None if place is None else place.anchor
+    return anchor is not None and anchor.refers == "last" and not anchor.noun and anchor.amount.number > 1
 
 
 def _taken_back(read: Instruction, text: str) -> str:

@@ -487,6 +487,8 @@ def _at_noun(
     inward = relation in ("in", "") or phrase[0] in ("at", "throughout", "across")
     inward = inward or (relation in ("above", "under") and text_at(words, start - 1) == "room")
     room = noun.kind == "room" or (noun.kind == "both" and inward and lexicon.means_own_room(noun.words))
+    if noun.kind == "both" and text_at(words, target.start) in ("a", "an") and lexicon.is_short_for_room(noun.words):
+        room = False  # "in a locker"
     if (
         noun.kind == "both"
         and not inward

@@ -37,6 +37,7 @@ from mansion_editing.instructions.sentences.old_ones import (
     with_replacements,
 )
 from mansion_editing.instructions.sentences.owners import owners_named
+from mansion_editing.instructions.sentences.painted_rooms import painted_rooms
 from mansion_editing.instructions.sentences.questions import further_question, read_question
 from mansion_editing.instructions.sentences.recounting import Recounting
 from mansion_editing.instructions.sentences.referring import Referring
@@ -158,7 +159,7 @@ class _Reader(
         ordered = with_companions_first(with_last_of_them_first(ordered))
         ordered = with_takings_first(ordered, self.lexicon)
         statements = turned_by_list(with_storeys(ordered), self.text)
-        statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
+        statements = sets_as_one(sparing_what_goes(painted_rooms(statements)), self.lexicon)
         statements = [
             about_its_room(s, self._words_of(s.quote), self.lexicon, self.floors) if self._tells(s) else s
             for s in statements

@@ -9,11 +9,14 @@ from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.words import PLURAL_PRONOUNS, SENTENCE_ENDS
 from mansion_editing.instructions.syntax.appositions import without_appositions
 from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
+from mansion_editing.instructions.syntax.list_colons import without_list_colons
 from mansion_editing.instructions.syntax.made_numbers import made_number, with_number_made
 from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in, taken_up
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
+from mansion_editing.instructions.syntax.pairs import with_pairs_joined
 from mansion_editing.instructions.syntax.plain_requests import plainly_asked
-from mansion_editing.instructions.syntax.requests import names_something, only_tells
+from mansion_editing.instructions.syntax.requests import is_person, names_something, only_tells
+from mansion_editing.instructions.syntax.room_numbers import with_room_numbers
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
 from mansion_language.inflection import plural, singular
 
@@ -25,6 +28,9 @@ _ONES: Final = frozenset(["one", "ones"])
 _HITHER: Final = frozenset("in over across along".split())
 _ALSO: Final = frozenset("too also well".split())
 _CORRECTING: Final = frozenset("no nope sorry wait oops correction scratch forget rather actually".split())
+_PARTS_OF_ROOMS: Final = frozenset("door wall window corner floor ceiling middle entrance".split())
+_WAYS: Final = frozenset(["into", "onto", "to"])
+"""Prepositions by which a clause without a verb asks that something goes somewhere."""
 _FOREIGN: Final = frozenset('$ { } \\ / ~ & * _ = < > | # @ % ^ " “ ”'.split())
 """Marks of names and of code, which are no English."""
 
@@ -49,7 +55,7 @@ class _Uncertain(Exception):
 
 
 def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
-    """Yield what a text asks for, in its own words and then as plain orders.
+    """Yield what a text asks for as plain orders and then in its own words.
 
     Nothing where all of it only tells, or a pronoun is not certain.
 
@@ -58,7 +64,8 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     text : str
         In running text, without contractions.
     """
-    words: Sequence[TaggedWord] = without_appositions(tagged(text, lexicon))
+    text = with_pairs_joined(with_room_numbers(text, lexicon), lexicon)
+    words: Sequence[TaggedWord] = without_appositions(without_list_colons(tagged(text, lexicon)))
     if any(word.text in _FOREIGN for word in words):
         return
     clauses, words = _wished(clauses_of(words), words)
@@ -68,11 +75,12 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
         or _is_topic(clauses, words, number)
         or _is_counted_before(clauses, words, number)
         or _repeats_swap(clauses, words, number)
+        or _is_met_next(clauses, words, number)
         for number, tells in enumerate(told)
     ]
     if all(told) or any(tells and _corrects(clause, words) for clause, tells in zip(clauses, told, strict=True)):
         return
-    for plainly in (False, True):
+    for plainly in (True, False):
         try:
             points = _Points(text, words, lexicon, plainly=plainly)
             for clause, tells in zip(clauses, told, strict=True):
@@ -93,6 +101,7 @@ class _Points:
     mentions: list[list[Mentioned]] = field(default_factory=list)
     asked: list[tuple[Clause, list[TaggedWord]]] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    names_rooms: bool = False
     described: list[str] = field(default_factory=list)
 
     def add(self, clause: Clause, *, tells: bool) -> None:
@@ -112,7 +121,7 @@ class _Points:
             pass
         else:
             said = [*self._shared_subject(clause), *self._with_antecedents(clause, mentions)]
-            said = self._with_counted_noun(said)
+            said = self._with_counted_noun(self._with_replaced(said))
             said = self._with_room_as_goal(self._with_room_for_there(said)) if self._tells_room() else said
             said = self._in_each_room(self._with_verb_before(clause, said) or said)
             if self.remarks and not self.asked and any(w.text == "there" and w.tag == "adverb" for w in said):
@@ -149,7 +158,7 @@ class _Points:
         whole = "".join(parts)
         rooms = self._told_rooms()
         named = any(one.kind == "room" and not one.told for mentions in self.mentions for one in mentions)
-        if len(rooms) == 1 and not named and rooms[0] not in whole:
+        if len(rooms) == 1 and not (named or self.names_rooms) and rooms[0] not in whole:
             return f"in {rooms[0]}, {whole}{mark}"
         return f"{whole}{mark}"
 
@@ -224,9 +233,11 @@ class _Points:
         end = len(said) - 1 - (said[-2:-1] != [] and said[-2].text == "as")
         named = end_of_noun_group(said[:end], 0)
         start = 1 + (before[1].text in ("out", "up", "down", "off", "away"))
-        rest = before[max(start, end_of_noun_group(before, start)) :]
+        rest = before[max(start, _end_of_list(before, start)) :]
         rest = [word for word in rest if word.tag in ("preposition", "adverb")][:1] if named < end else rest
-        return [*before[:start], *said[:end], *rest] if named else []
+        again = [replace(before[0], raw=before[0].text), *before[1:start]]
+        named_first = said[0] if said[0].tag == "noun" else replace(said[0], raw=said[0].text)
+        return [*again, named_first, *said[1:end], *rest] if named else []
 
     def _with_antecedents(self, clause: Clause, own: Sequence[Mentioned]) -> list[TaggedWord]:
         """Return the words of a clause with what pronouns of it take up of clauses that only tell.
@@ -247,6 +258,17 @@ class _Points:
                 out = out[:-1] if new else out
             elif word.text in _ONES and word.tag in ("pronoun", "number") and not within:
                 new = self._instead_of_one(clause, number)
+            elif word.tag == "number" and out and out[-1].text == "in" and (rooms := self._numbered_rooms(number)):
+                out.append(replace(word, raw=f"{rooms} {word.raw}"))
+                continue
+            elif word.text in ("their", "his", "her") and (owner := self._owner_of_room(number)):
+                out.append(replace(word, text=owner, raw=owner, tag="possessive"))
+                continue
+            elif word.text == "its" and self._is_part_of_told_room(number):
+                out.append(replace(word, text="the", raw="the", tag="determiner"))
+                continue
+            elif word.text == "each" and out and out[-1].tag == "preposition" and word.tag == "pronoun":
+                new = self._each_of_them()
             elif word.tag == "pronoun" and word.text in _PRONOUNS and not (within or taken_up):
                 new, out = self._instead_of_pronoun(word, out, last=number + 1 == clause.end)
             taken_up = taken_up or (bool(new) and word.text not in _ONES)
@@ -269,6 +291,56 @@ class _Points:
         if new and last and before and before[0].verb in ("leave", "keep"):
             return f"{new} as {'they are' if word.text in PLURAL_PRONOUNS else 'it is'}", before
         return new, before
+
+    def _with_replaced(self, said: list[TaggedWord]) -> list[TaggedWord]:
+        """Return ``replace the plants by lamps`` for ``replace by lamps, as many as there were plants``.
+
+        Raises
+        ------
+        _Uncertain
+        """
+        if said[0].verb not in ("replace", "swap", "exchange") or len(said) < 3 or said[1].text not in ("by", "with", "for"):
+            return said
+        things = next((found for m in reversed(self.mentions) if (found := [t for t in m if t.kind == "thing"])), [])
+        if len(things) != 1 or not things[0].told:
+            return said
+        texts = [word.text for word in said]
+        many = next((k for k in range(len(texts) - 2) if texts[k : k + 3] == ["as", "many", "as"]), len(said))
+        rest = said[1 : many - (texts[many - 1] == ",")]
+        return [said[0], replace(said[1], raw=things[0].words, tag="noun"), *rest]
+
+    def _numbered_rooms(self, at: int) -> str:
+        """Return ``nap rooms`` for ``in 2, 3 and 4`` after words about the nap rooms; empty where no such were told of."""
+        following = self.words[at + 1] if at + 1 < len(self.words) else None
+        bare = following is None or following.tag in ("mark", "joint")
+        rooms = self.mentions[-1] if self.mentions else []
+        several = [one for one in rooms if one.kind == "room" and one.told and one.plural]
+        numbered = self.words[at].text.isdecimal() and bare and len(several) == 1
+        self.names_rooms = self.names_rooms or numbered
+        return several[0].noun if numbered else ""
+
+    def _owner_of_room(self, at: int) -> str:
+        """Return ``the kids'`` for ``their`` before ``room`` after words about the kids, whose room there is."""
+        room = self.words[at + 1].text if at + 1 < len(self.words) else ""
+        for person in reversed(self.words[:at]):
+            name = (singular(person.text), room)
+            if person.tag == "noun" and is_person([person]) and self.lexicon.is_own_room(name):
+                return f"the {person.text}'" if person.text.endswith("s") else f"the {person.text}'s"
+        return ""
+
+    def _is_part_of_told_room(self, at: int) -> bool:
+        """Whether ``its`` stands before a part of the room that was told of just before: ``by its door``."""
+        last = self.mentions[-1] if self.mentions else []
+        part = self.words[at + 1].text if at + 1 < len(self.words) else ""
+        return singular(part) in _PARTS_OF_ROOMS and [one.kind for one in last] == ["room"] and last[0].told
+
+    def _each_of_them(self) -> str:
+        """Return ``each of the six desks`` for ``each`` after words about them; empty where none were told of."""
+        for mentions in reversed(self.mentions):
+            several = [one for one in mentions if one.kind == "thing" and one.plural]
+            if several:
+                return f"each of {several[0].words}" if len(several) == 1 and several[0].told else ""
+        return ""
 
     def _instead_of_one(self, clause: Clause, number: int) -> str:
         """Return the noun that ``one`` stands for, with an article where it has none; empty where none was told of."""
@@ -311,6 +383,17 @@ class _Points:
         return ""
 
 
+def _end_of_list(words: Sequence[TaggedWord], at: int) -> int:
+    """Return the end of the noun groups that are listed from a place on: ``the mug and the plate``."""
+    end = end_of_noun_group(words, at)
+    while end < len(words) and words[end].text in ("and", ","):
+        following = end_of_noun_group(words, end + 1)
+        if following == end + 1:
+            break
+        end = following
+    return end
+
+
 def _joint(last: Clause, clause: Clause, words: Sequence[TaggedWord], mark: str) -> str:
     """Return what stands between two clauses: as it was within a sentence, a comma after a place that begins one."""
     if clause.form == "fragment" and clause.after in ("-", ":") and words[clause.start].tag == "preposition":
@@ -321,6 +404,8 @@ def _joint(last: Clause, clause: Clause, words: Sequence[TaggedWord], mark: str)
         return ": "
     if clause.sentence != last.sentence or clause.after in (":", "-", "(", "–"):
         return f"{mark} "
+    if clause.after == "then":
+        return ", then "
     return f" {clause.after} " if clause.after.isalpha() else ", "
 
 
@@ -392,6 +477,21 @@ def _repeats_swap(clauses: Sequence[Clause], words: Sequence[TaggedWord], number
     return any(word.text in ("other", "other's") for word in words[clause.start : clause.end])
 
 
+_VAGUELY: Final = frozenset("more some light seating storage space colour color greenery warmth".split())
+
+
+def _is_met_next(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:
+    """Whether ``the hall needs more light`` only says why the next clause adds a lamp."""
+    clause = clauses[number]
+    following = clauses[number + 1] if number + 1 < len(clauses) else None
+    if clause.form != "statement" or following is None or following.form != "order":
+        return False
+    adding = BY_WORDS.get((words[following.verb].verb,)) in ("add", "bring")
+    needed = [word for word in words[clause.verb : clause.end] if word.tag not in ("adverb", "verb")]
+    vague = len(needed) == 2 and all(word.text in _VAGUELY for word in needed)
+    return adding and vague and words[clause.verb].verb in ("need", "want", "require", "lack")
+
+
 def _corrects(clause: Clause, words: Sequence[TaggedWord]) -> bool:
     """Whether a clause takes back or puts right what was said: ``I mean the other one``."""
     texts = [word.text for word in words[clause.start : clause.end]]
@@ -414,6 +514,7 @@ def _is_topic(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: in
     concerning = [word.text for word in words[clause.start : clause.start + 2]] == ["as", "for"]
     first = words[clause.start + 2 * concerning]
     opens = first.tag in ("determiner", "possessive", "noun", "number") and first.text not in ("no", "every")
+    opens = opens and not any(word.text in _WAYS for word in words[clause.start : clause.end])
     pronoun = next((at for at, word in enumerate(later) if word.tag == "pronoun" and word.text in _PRONOUNS), None)
     named = pronoun is not None and any(word.tag == "noun" for word in later[:pronoun])
     return opens and pronoun is not None and not named

@@ -10,8 +10,17 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.syntax.clauses import TURNING
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
+from mansion_editing.instructions.syntax.plain_things import (
+    with_colour_first,
+    with_lamp_of_ceiling,
+    with_one_for_each,
+    without_alternatives,
+    without_load,
+    without_simile,
+)
 from mansion_editing.instructions.syntax.requests import names_something
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
+from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import plural, singular
 
 __all__ = ["plainly_asked"]
@@ -34,8 +43,9 @@ _WAYS: Final = frozenset("into onto to".split())
 def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
-        _without_edges, _without_added_clause, _with_companions, _without_comparison, _with_share, _with_part_after,
-        _with_replaced_after, _as_obliged, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
+        _without_edges, _with_place_after, _as_painted, _without_added_clause, _with_companions, _without_comparison, without_simile, without_load,
+        with_one_for_each, without_alternatives, with_colour_first, with_lamp_of_ceiling, _as_removed, _with_share, _with_part_after,
+        _with_replaced_after, _as_going, _as_obliged, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
         _as_turned, _without_purpose, _with_plain_verb,
     )  # fmt: skip
     said = list(words)
@@ -49,7 +59,7 @@ def _without_edges(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord
     start, end = 0, len(words)
     while start < end - 1 and (words[start].tag in _IDLE and words[start].text not in _KEPT_ADVERBS):
         start += 1 + (words[start + 1].text == "," if start + 1 < end else 0)
-    while end > start + 1 and (words[end - 1].tag == "interjection" or words[end - 1].text in ("please", ",")):
+    while end > start + 1 and (words[end - 1].tag == "interjection" or words[end - 1].text in _LAST):
         end -= 1
     return words[start:end]
 
@@ -61,6 +71,22 @@ def _without_added_clause(words: list[TaggedWord], lexicon: Lexicon) -> list[Tag
     if not start or names_something(words[start:end], lexicon) or any(w.text in _OBLIGING for w in words[start:end]):
         return words
     return [*words[: start - 1], *words[end + 1 :]]
+
+
+_LAST: Final = frozenset("please , anyway really though meanwhile accordingly then".split())
+_OUT_OF_HERE: Final = frozenset("building house flat apartment premises hut station property home place".split())
+
+
+def _as_removed(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``remove the screen`` for ``take the screen off the wall and out of the building``."""
+    texts = [word.text for word in words]
+    out = next((k for k in range(2, len(words) - 3) if texts[k : k + 3] in (["out", "of", "the"], ["out", "of", "this"])), 0)
+    carried = words[0].form == "base" and BY_WORDS.get((words[0].verb,)) in ("take", "move", "bring", "throw")
+    if not carried or not out or texts[out + 3] not in _OUT_OF_HERE or out + 4 < len(words):
+        return words
+    end = out - (texts[out - 1] in ("and", ","))
+    wall = next((k for k in range(2, end) if texts[k] in ("off", "from") and texts[k + 1 : k + 3] == ["the", "wall"]), end)
+    return [replace(words[0], text="remove", raw="remove", verb="remove"), *words[1:wall]]
 
 
 _WITH: Final = (["along", "with"], ["together", "with"])
@@ -77,7 +103,7 @@ def _with_companions(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
     return words
 
 
-_ALIKE: Final = (["like", "the"], ["like", "those"], ["as", "the"], ["like", "that"], ["with", "the"])
+_ALIKE: Final = (["like", "the"], ["just", "like"], ["like", "those"], ["as", "the"], ["like", "that"], ["with", "the"])
 _NO_LONGER: Final = (["any", "longer"], ["any", "more"], ["anymore"])
 
 
@@ -88,7 +114,7 @@ def _without_comparison(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagge
         if texts[0] == "no" and texts[-len(said) :] == said and len(words) > len(said):
             return _without_comparison(words[: -len(said)], lexicon)
     for at in range(2, len(words) - 2):
-        alike = texts[at : at + 2] in _ALIKE and texts[at + 2] in ("one", "ones", "other", "others")
+        alike = texts[at : at + 2] in _ALIKE and texts[at + 2] in ("one", "ones", "other", "others", "rest")
         alike = alike and (texts[at] != "with" or texts[at + 2] in ("other", "others"))
         if alike and not any(word.is_finite for word in words[at:]):
             return words[: at - (texts[at - 1] in ("same", ",", "just"))]
@@ -156,6 +182,60 @@ def _with_replaced_after(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagg
     ]
 
 
+def _with_place_after(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``put a lamp and a mug on each desk`` for ``on each desk I need a lamp and a mug``."""
+    if words[0].tag != "preposition" or words[0].text in ("of", "from", "for", "with", "without", "instead"):
+        return words
+    subject = _end_of_place(words, 0)
+    verb = subject + 1
+    while verb < len(words) and (words[verb].tag in ("modal", "adverb") or words[verb].text == "have"):
+        verb += 1
+    wishing = verb < len(words) and (words[verb].verb in _WISHING or words[verb - 1].text == "have")
+    if not subject or subject >= len(words) or words[subject].text not in ("i", "we") or not wishing:
+        return words
+    new = verb + (words[verb].verb in _WISHING)
+    new += 2 * ([word.text for word in words[new : new + 2]] == ["to", "have"])
+    if end_of_noun_group(words, new) == new or words[new].text in ("the", "it", "them", "to"):
+        return words
+    put = replace(words[verb], text="put", raw="put", tag="verb", verb="put", form="base")
+    place = words[: subject - (words[subject - 1].text == ",")]
+    return [put, *words[new:], replace(place[0], raw=place[0].text), *place[1:]]
+
+
+def _as_painted(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``paint the wardrobe white`` for ``I would like the wardrobe in white``, ``to be white``."""
+    wish = next((k for k in range(1, min(4, len(words))) if words[k].verb in _WISHING), 0)
+    colour = words[-1]
+    if words[0].text not in ("i", "we") or not wish or colour.text not in COLOUR_WORDS:
+        return words
+    joint = len(words) - 2
+    if [word.text for word in words[joint - 1 : joint + 1]] == ["to", "be"]:
+        joint -= 1
+    elif words[joint].text != "in":
+        return words
+    named = words[wish + 1 : joint]
+    if not named or named[0].text not in _KNOWN:
+        return words
+    paint = replace(words[wish], text="paint", raw="paint", verb="paint", form="base")
+    return [paint, *named, colour]
+
+
+_KNOWN: Final = frozenset("the both all my our your those these it them that this".split())
+
+
+def _as_going(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``move all of the plates into the sink`` for ``all of the plates into the sink``."""
+    goal = next((k for k in range(1, len(words)) if words[k].text in _WAYS), 0)
+    known = words[0].text in ("the", "all", "both", "those", "these", "my", "our", "that", "this", "every")
+    if not goal or not known or any(word.is_finite or word.form == "base" for word in words):
+        return words
+    told = any(word.text in ("it", "them", "those", "these") for word in words[:goal])
+    if not (told or names_something(words[:goal], lexicon)) or not names_something(words[goal:], lexicon):
+        return words
+    first = replace(words[0], raw=words[0].text)
+    return [replace(first, text="move", raw="move", tag="verb", verb="move", form="base"), first, *words[1:]]
+
+
 def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``the cart should be here`` for ``it would make sense for the cart to be here``."""
     at = next((k for k in range(2, len(words) - 3) if words[k].text == "for"), 0)
@@ -168,6 +248,7 @@ def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     return [*words[at + 1 : end], should, *words[end + 1 :]]
 
 
+_WISHING: Final = frozenset("need want like".split())
 _BETTER: Final = frozenset("better nicer use useful good well best lovely nice great fun perfect".split())
 
 

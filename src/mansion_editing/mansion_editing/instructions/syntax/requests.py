@@ -151,7 +151,9 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     coming = {*texts} & {"out", "in", "away"} and any(word.verb in ("go", "come") for word in rest)
     if coming and not is_person(subject):
         return True  # "the desk and the chair go out"
-    if main.verb in _PLACING - _RESTING and main.form in ("third", "base") and not _goes_on_doing(rest):
+    making = main.verb == "make" and "way" not in texts
+    placed = main.verb in _PLACING - _RESTING and main.form in ("third", "base") and not making
+    if placed and not _goes_on_doing(rest):
         return not somebody or main.verb == "keep"
     if main.verb in ("suffice", "suggest", "insist", "ask", "propose", "recommend"):
         return True
@@ -188,7 +190,8 @@ def _is_to(rest: Sequence[TaggedWord]) -> bool:
 
 
 def _measures(texts: Sequence[str]) -> bool:
-    return bool({*texts} & _MEASURING)
+    plain = [text for at, text in enumerate(texts) if not (text == "more" and at and texts[at - 1] in ("any", "no"))]
+    return bool({*plain} & _MEASURING)
 
 
 def _does_it_oneself(rest: Sequence[TaggedWord]) -> bool:

@@ -1,0 +1,254 @@
+"""Clauses that ask for one thing together, put as one order: ``wheel it out of the hall and park it in the shed``."""
+
+from collections.abc import Callable, Sequence
+from typing import Final, TypeAlias
+
+from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.verb_words import BY_WORDS
+from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
+from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
+from mansion_editing.instructions.syntax.requests import names_something
+from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
+from mansion_language.inflection import singular
+
+__all__ = ["with_pairs_joined"]
+
+_Joined: TypeAlias = tuple[int, str] | None
+"""The number of the clause after those that are put as one order, and the order."""
+_OUT: Final = (["out", "of"], ["off"], ["from"], ["down", "from"], ["out", "from"], ["off", "of"])
+_IT: Final = frozenset(["it", "them", "those", "that", "these"])
+_SETTING: Final = frozenset(["add", "bring", "move", "set", "take", "leave"])
+_MISSING: Final = (
+    ["where", "it", "is", "missing"], ["where", "there", "is", "none"], ["where", "they", "are", "missing"],
+    ["where", "one", "is", "missing"], ["where", "it", "is", "lacking"], ["where", "there", "is", "not"],
+    ["where", "there", "are", "none"], ["where", "missing"], ["where", "needed"],
+)  # fmt: skip
+
+
+def with_pairs_joined(text: str, lexicon: Lexicon) -> str:
+    """Return a text with clauses that ask for one thing only together put as one order.
+
+    Parameters
+    ----------
+    text : str
+        In running text, without contractions.
+    """
+    words = tagged(text, lexicon)
+    clauses = clauses_of(words)
+    out: list[str] = []
+    at = end = 0
+    while at < len(clauses):
+        found = next((pair for rule in _RULES if (pair := rule(clauses, at, words, lexicon)) is not None), None)
+        if found is None:
+            at += 1
+            continue
+        following, order = found
+        out += [text[end : words[clauses[at].start].start], order]
+        end = words[clauses[following - 1].end - 1].end
+        at = following
+    return "".join([*out, text[end:]])
+
+
+def _said(clause: Clause, words: Sequence[TaggedWord]) -> Sequence[TaggedWord]:
+    return words[clause.start : clause.end]
+
+
+def _texts(words: Sequence[TaggedWord]) -> list[str]:
+    return [word.text for word in words]
+
+
+def _carried(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``move both trolleys from the hall in the shed`` for ``wheel both trolleys out of the hall and park them``."""
+    if at + 1 >= len(clauses) or clauses[at].form != "order" or clauses[at + 1].form != "order":
+        return None
+    first, second = (_said(clause, words) for clause in clauses[at : at + 2])
+    carrying = BY_WORDS.get((first[0].verb,)) in ("move", "take", "bring")
+    putting = BY_WORDS.get((second[0].verb,)) in _SETTING
+    goal = len(second) > 3 and second[1].text in _IT and second[2].tag in ("preposition", "to")
+    if not (carrying and putting and goal):
+        return None
+    leaving = [k for k in range(2, len(first)) if any(_texts(first[k : k + len(said)]) == said for said in _OUT)]
+    if not leaving or any(word.text in ("to", "into", "onto") for word in first[leaving[0] :]):
+        return None
+    start = leaving[0]
+    source = start + next(len(s) for s in sorted(_OUT, key=len, reverse=True) if _texts(first[start:])[: len(s)] == s)
+    things = joined(first[1:start])
+    if second[2].text in ("out", "off", "from", "up", "down", "back", "away"):
+        return None
+    return at + 2, f"move {things} from {joined(first[source:])} to {_aim(second[2:])}"
+
+
+def _aim(goal: Sequence[TaggedWord]) -> str:
+    """Return a goal without the preposition of a room: ``the shed`` for ``in the shed``."""
+    plain = goal[0].text in ("in", "into", "to", "at")
+    return joined(goal[1:]) if plain else joined(goal)
+
+
+def _swapped_with_companions(
+    clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon
+) -> _Joined:
+    """Put ``remove the chairs and replace the table by a desk`` for ``swap the table with its chairs for a desk``."""
+    said = _said(clauses[at], words)
+    if clauses[at].form != "order" or BY_WORDS.get((said[0].verb,)) not in ("swap", "replace"):
+        return None
+    texts = _texts(said)
+    own = next((k for k in range(2, len(said) - 3) if texts[k] in ("with", "and") and texts[k + 1] in ("its", "their")), 0)
+    new = next((k for k in range(own + 3, len(said) - 1) if texts[k] in ("for", "by", "with")), 0) if own else 0
+    if not new:
+        return None
+    gone = joined([*said[own + 2 : new]])
+    return at + 1, f"remove the {gone} and replace {joined(said[1:own])} by {joined(said[new + 1 :])}"
+
+
+def _added_where_missing(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``there should be a lamp in every room`` for ``is there a lamp in every room? Add one where it is missing``."""
+    if at + 1 >= len(clauses):
+        return None
+    asked, order = (_said(clause, words) for clause in clauses[at : at + 2])
+    texts = _texts(order)
+    exists = _texts(asked[:2]) in (["is", "there"], ["are", "there"]) and len(asked) > 3
+    every = any(word.text in ("every", "each", "all", "both") for word in asked)
+    adding = BY_WORDS.get((order[0].verb,)) in ("add", "bring") and len(texts) > 2 and texts[1] in ("one", "some")
+    if not (exists and every and adding and texts[2:] in _MISSING):
+        return None
+    return at + 2, f"there should be {joined(asked[2:])}"
+
+
+def _all_made_so(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``all lockers should be shut`` for ``are all lockers shut? If one of them is not, shut it``."""
+    if at + 2 >= len(clauses):
+        return None
+    asked, condition, order = (_said(clause, words) for clause in clauses[at : at + 3])
+    subject = end_of_noun_group(asked, 1)
+    if asked[0].tag != "be" or subject < 3 or asked[1].text not in ("all", "both", "the", "every"):
+        return None
+    if condition[0].text != "if" or condition[-1].text not in ("not", "so") or len(condition) > 7:
+        return None
+    if order[0].form != "base" or len(order) != 2 or order[1].text not in _IT or condition[-1].text == "so":
+        return None
+    return at + 3, f"{joined(asked[1:subject])} should be {joined(asked[subject:])}"
+
+
+def _exchanged(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``swap the desk and the bed`` for ``the desk where the bed is now, and the other way round``."""
+    said: list[TaggedWord] = []
+    for last in range(at, min(at + 3, len(clauses))):
+        said = [*words[clauses[at].start : clauses[last].end]]
+        texts = _texts(said)
+        where = texts.index("where") if "where" in texts else 0
+        where = where if where < clauses[at].end - clauses[at].start else 0
+        be = next((k for k in range(where + 2, len(said)) if said[k].tag == "be"), 0) if where else 0
+        if be and texts[-1] in ("about", "round", "around", "versa", "back") and {"way", "vice"} & {*texts[be:]}:
+            start = 1 if said[0].form == "base" else 0
+            one, other = said[start:where], said[where + 1 : be]
+            if names_something(one, lexicon) and names_something(other, lexicon):
+                return last + 1, f"swap {_definite(one)} and {_definite(other)}"
+    return None
+
+
+_ELABORATED: Final = frozenset(
+    "warm fold make turn prepare freshen rearrange change decorate brighten dress refresh organise organize update do "
+    "improve cheer liven ready fix arrange furnish set".split()
+)
+"""Verbs of what a colon tells in detail: ``warm the kitchen: ...``."""
+
+
+def _told_in_detail(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``in the kitchen`` for ``warm the kitchen:``, of which what follows tells all."""
+    clause = clauses[at]
+    said = _said(clause, words)
+    colon = clause.end < len(words) and words[clause.end].text == ":" and at + 1 < len(clauses)
+    if not colon or clause.form != "order" or said[0].verb not in _ELABORATED:
+        return None
+    start = 1 + (said[1].tag == "preposition")
+    end = end_of_noun_group(said, start)
+    idle = all(word.tag in ("adverb", "adjective", "determiner", "preposition") or word.text == "bit" for word in said[end:])
+    room = tuple(singular(word.text) for word in said[start:end] if word.tag in ("noun", "number"))
+    if not room or not idle or not lexicon.is_own_room(room):
+        return None
+    return at + 1, f"in {_definite(said[start:end])}"
+
+
+def _definite(words: Sequence[TaggedWord]) -> str:
+    bare = words[0].tag in ("noun", "adjective")
+    return f"the {joined(words)}" if bare else joined(words)
+
+
+def _too_many(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``there should be exactly six chairs in the hall`` for ``eight chairs in the hall are too many, leave six``."""
+    heading = clauses[at].form == "fragment" and names_something(_said(clauses[at], words), lexicon)
+    told = at + 1 if heading and at + 1 < len(clauses) and words[clauses[at].start].tag != "number" else at
+    counted = _counted(clauses, told, words, lexicon)
+    if counted is None:
+        return None
+    number, named = counted
+    for last in range(told, min(told + 4, len(clauses))):
+        left = _left(_said(clauses[last], words), number, own=last == told)
+        if left:
+            return last + 1, f"there should be exactly {left} {named}"
+        if last > told and clauses[last].form == "order":
+            return None
+    return None
+
+
+def _counted(
+    clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon
+) -> tuple[TaggedWord, str] | None:
+    """Return the number of things that a clause tells of, and these with their place: ``chairs in the hall``."""
+    said = _said(clauses[at], words)
+    there = next((k for k, word in enumerate(said) if word.tag == "there"), None)
+    room = [*said[:there]] if there is not None and there and said[0].tag == "preposition" else []
+    start = 0 if there is None else there + 2
+    if there is None and clauses[at].form not in ("statement", "fragment"):
+        return None
+    if start >= len(said) or said[start].tag != "number":
+        return None
+    be = next((k for k in range(start + 1, len(said)) if said[k].tag in ("be", "modal")), len(said))
+    named = [word for word in said[start + 1 : be] if word.tag not in ("adverb", "interjection")]
+    if not names_something(named, lexicon) or not _objects(clauses, at, words, be - start):
+        return None
+    if not room and at and not any(word.tag == "preposition" for word in named):
+        before = _said(clauses[at - 1], words)
+        heading = clauses[at - 1].form == "fragment" and names_something(before, lexicon)
+        in_it = f"in the {joined(before).lower()}" if before[0].tag == "noun" else f"in {joined(before).lower()}"
+        return said[start], f"{joined(named)} {in_it if heading else ''}".strip()
+    return said[start], f"{joined(named)} {joined(room).lower()}".strip()
+
+
+def _objects(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], start: int) -> bool:
+    """Whether a number is said to be too large, or a smaller one follows after a reason."""
+    whole = words[clauses[at].start : clauses[min(at + 3, len(clauses) - 1)].end]
+    texts = _texts(whole)
+    return any(pair in (["too", "many"], ["too", "much"]) for pair in (texts[k : k + 2] for k in range(len(texts)))) or (
+        "so" in texts or clauses[at].form == "existence"
+    )
+
+
+def _left(said: Sequence[TaggedWord], number: TaggedWord, *, own: bool) -> str:
+    """Return the number that a clause says shall be left: ``leave 36``, ``so three``, ``halve them``; else nothing."""
+    texts = [word.text for word in said if word.tag not in ("interjection",) and word.text not in ("just", "only", "so")]
+    tail = _texts(said)
+    if len(tail) > 2 and tail[-2] == "so" and said[-1].tag == "number":
+        return tail[-1]
+    if own:
+        return ""
+    if texts[:1] == ["halve"] or texts[:2] == ["half", "of"] or texts[:1] == ["half"]:
+        value = _VALUES.get(number.text)
+        whole = int(number.text) if number.text.isdecimal() else value
+        return str(whole // 2) if whole else ""
+    if len(texts) == 1 and said[-1].tag == "number":
+        return texts[0]
+    kept = len(texts) == 2 and texts[0] in ("leave", "keep") and said[-1].tag == "number"
+    return texts[1] if kept else ""
+
+
+_VALUES: Final = {
+    word: value
+    for value, word in enumerate(
+        "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen "
+        "seventeen eighteen nineteen twenty".split()
+    )
+}
+_RULES: Final[tuple[Callable[[Sequence[Clause], int, Sequence[TaggedWord], Lexicon], _Joined], ...]] = (
+    _carried, _swapped_with_companions, _added_where_missing, _all_made_so, _exchanged, _too_many, _told_in_detail,
+)  # fmt: skip
