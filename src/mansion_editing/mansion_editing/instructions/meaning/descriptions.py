@@ -134,12 +134,19 @@ def _existing(state: SceneState, ids: Sequence[str]) -> list[SceneObject]:
 def things_of(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
     """Return all objects that words fit, in the order of their ids; how many of them are meant is not looked at.
 
-    Certain things that are there may be of about a colour ("the brown bench" of oak) where none is just of it.
+    Certain things that are there may be of about a colour ("the brown bench" of oak) where none is just of it, and on
+    furniture where they are told to be in it.
     """
     found = _things_of(state, things, context, has_colour)
-    if found or not (things.colour and things.definite and things.noun):
+    if found or not (things.definite and things.noun):
         return found
-    return _things_of(state, things, context, looks_like)
+    if things.colour:
+        return _things_of(state, things, context, looks_like)
+    place = things.place
+    if place is None or place.anchor is None or place.relation not in ("on", "in") or place.outside:
+        return found
+    either = msgspec.structs.replace(things, place=msgspec.structs.replace(place, relation=""))
+    return [item for item in _things_of(state, either, context, has_colour) if item.parent is not None]
 
 
 def _things_of(

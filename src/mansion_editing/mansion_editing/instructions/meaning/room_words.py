@@ -41,8 +41,18 @@ def best_named(rooms: Sequence[SceneRoom], words: str, *, every: bool = False) -
         return []
     if not every:
         return [room for room in ordered if ranks[room.id] == best]
-    # Other words for a kind mean rooms of it only where none is called so.
-    return [room for room in ordered if ranks[room.id] >= min(best, 2) and (best < 4 or ranks[room.id] != 3)]
+    # Other words for a kind mean rooms of it only where none is called so, unless its name ends with them.
+    return [
+        room
+        for room in ordered
+        if ranks[room.id] >= min(best, 2) and (best < 4 or ranks[room.id] != 3 or _ends_so(room, name))
+    ]
+
+
+def _ends_so(room: SceneRoom, name: str) -> bool:
+    """Whether the kind of a room ends with a name: a master bedroom is a bedroom."""
+    wanted, kind = _read_like(name), stems(room.room_type.replace("_", " "))
+    return bool(wanted) and kind[-len(wanted) :] == wanted
 
 
 def _numbered(words: str) -> tuple[str, str | None]:

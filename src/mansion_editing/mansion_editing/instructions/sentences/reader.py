@@ -60,6 +60,7 @@ from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.scene_setting import SceneSetting
 from mansion_editing.instructions.sentences.selecting import with_those_taken
 from mansion_editing.instructions.sentences.telling import Telling
+from mansion_editing.instructions.sentences.together import brought_together
 from mansion_editing.instructions.sentences.topics import about_its_room
 from mansion_editing.instructions.statements import (
     Add,
@@ -154,7 +155,7 @@ class _Reader(
         compared = [w for w in plain if is_comparative(SIZE_HINTS.get(w.text, "")) and '"type":"Replace"' in told]
         plain = [w for w in plain if w not in compared]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        chosen = with_those_taken(self.statements)
+        chosen = brought_together(with_those_taken(self.statements))
         ordered = with_old_ones_first(with_replacements(with_former_ones_first(chosen)))
         ordered = with_companions_first(with_last_of_them_first(ordered))
         ordered = with_takings_first(ordered, self.lexicon)

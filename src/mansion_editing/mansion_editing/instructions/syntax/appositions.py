@@ -14,12 +14,15 @@ _OPENING: Final = frozenset([",", "-", "("])
 _ONES: Final = frozenset(["one", "ones"])
 _ENDS: Final = frozenset(". ! ? ; , ) - ".split())
 _ALIKE: Final = (["the", "same", "as"], ["same", "as"], ["just", "like"], ["just", "as"], ["like"], ["as"])
+_METRES: Final = frozenset("m metre metres meter meters cm".split())
 _MOST_PLACES: Final = 4
 
 
 def without_appositions(words: Sequence[TaggedWord]) -> list[TaggedWord]:
     """Return words with what tells which or what a thing is joined to its name, and without what it only is like."""
-    steps: tuple[Callable[[list[TaggedWord], int], list[TaggedWord] | None], ...] = (_likened, _placed, _coloured)
+    steps: tuple[Callable[[list[TaggedWord], int], list[TaggedWord] | None], ...] = (
+        _likened, _in_same_colour, _in_place_of_colour, _measured, _placed, _coloured,
+    )  # fmt: skip
     said = list(words)
     for step in steps:
         at = 1
@@ -75,6 +78,46 @@ def _coloured(words: list[TaggedWord], at: int) -> list[TaggedWord] | None:
     article = replace(words[head], text="a", raw="a") if words[head].text == "an" else words[head]
     colour = [replace(word, raw=word.text) for word in words[start:end]]
     return [*words[:head], article, *colour, *words[head + 1 : at], *words[after + (closed == ")") :]]
+
+
+def _in_same_colour(words: list[TaggedWord], at: int) -> list[TaggedWord] | None:
+    """Read ``in the same grey as the ones in the hall`` as ``in grey``."""
+    said = [word.text for word in words[at : at + 3]]
+    if said != ["in", "the", "same"] or at + 4 >= len(words) or words[at + 3].text not in COLOUR_WORDS:
+        return None
+    after = at + 4 + (words[at + 4].text in ("colour", "color", "shade", "tone"))
+    if after >= len(words) or words[after].text not in ("as", "like"):
+        return None
+    end = next((k for k in range(after, len(words)) if words[k].text in ".!?;,"), len(words))
+    return [*words[: at + 1], words[at + 3], *words[end:]]
+
+
+def _in_place_of_colour(words: list[TaggedWord], at: int) -> list[TaggedWord] | None:
+    """Read ``should be red instead of blue`` as ``should be red``."""
+    said = [word.text for word in words[at : at + 2]]
+    length = 2 if said in (["instead", "of"], ["rather", "than"]) else 1 if said[0] == "not" else 0
+    after = at + length
+    coloured = length and words[at - 1].text in COLOUR_WORDS and after < len(words)
+    if not coloured or words[after].text not in COLOUR_WORDS:
+        return None
+    ends = after + 1 >= len(words) or words[after + 1].text in _ENDS
+    return [*words[:at], *words[after + 1 :]] if ends else None
+
+
+def _measured(words: list[TaggedWord], at: int) -> list[TaggedWord] | None:
+    """Read ``away from the sofa, at least 3 m`` as ``at least 3 m away from the sofa``."""
+    if [word.text for word in words[at : at + 2]] != ["away", "from"]:
+        return None
+    comma = end_of_noun_group(words, at + 2)
+    if comma == at + 2 or comma + 4 > len(words) or words[comma].text != ",":
+        return None
+    start = comma + 1
+    number = start + 2 * ([word.text for word in words[start : start + 2]] == ["at", "least"])
+    if number + 1 >= len(words) or words[number].tag != "number" or words[number + 1].text not in _METRES:
+        return None
+    measure = words[start : number + 2]
+    least = [] if number > start else [replace(measure[0], text=text, raw=text) for text in ("at", "least")]
+    return [*words[:at], *least, *measure, *words[at:comma], *words[number + 2 :]]
 
 
 def _is_please(words: Sequence[TaggedWord], at: int) -> bool:
