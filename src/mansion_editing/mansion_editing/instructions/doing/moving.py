@@ -387,7 +387,7 @@ def _ways(
         return [{"receptacle_id": target.room, **wishes}]
     surfaces = yield from find_surfaces(Scope("room", "", (target.room,)), state, item.name or item.category)
     ways = [{"receptacle_id": surface, **wishes} for surface in surfaces[:MOST_CARRIERS] if surface != item.id]
-    return [*ways, {"receptacle_id": target.room, **wishes}]
+    return ways if item.toggleable else [*ways, {"receptacle_id": target.room, **wishes}]  # no microwave on the floor
 
 
 def _id_after(old: str, changed: Sequence[str], state: SceneState) -> str:

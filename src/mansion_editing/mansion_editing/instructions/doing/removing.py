@@ -76,7 +76,8 @@ def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneOb
     if amount.kind in ("all_but", "exactly") and len(found) < amount.number:
         raise Unmet(f"there are only {counted(len(found), things.noun or 'thing')}, not {amount.number}")
     chosen = things_meant(state, things, context, surplus=True)
-    free = [item for item in chosen if not is_fixed(item) or _is_named(state, item, things.noun)]
+    certain = things.definite and means_one(things) and not names_many(things.noun)
+    free = [item for item in chosen if certain or not is_fixed(item) or _is_named(state, item, things.noun)]
     if chosen and not free:
         raise Unmet(f"{chosen[0].id} is fixed to the building; name it by its kind to remove it")
     return free

@@ -22,6 +22,8 @@ __all__ = ["read_in_other_words", "reworded"]
 _MOST_REMARKS = 2
 _MOST_READINGS = 20
 """How often one instruction is read."""
+_MIDDLE_OF_IT: Final = re.compile(r"\b(middle|centre|center|corner) of it\b", re.IGNORECASE)
+"""What only a room is meant by, which the clause before names."""
 _WONDERING: Final = re.compile(r"(who|why|how come|what on earth)\b", re.IGNORECASE)
 """Words that begin a question which nobody wants answered."""
 _CORRECTION: Final = re.compile(
@@ -103,7 +105,7 @@ def _is_clear(read: Instruction, text: str) -> bool:
         return False
     if any(isinstance(one, Rename) and one.room == Rooms() for one in read.statements):
         return False  # "their room"
-    if any(_is_at_bare_number(one) for one in read.statements):
+    if any(_is_at_bare_number(one) for one in read.statements) or _MIDDLE_OF_IT.search(text):
         return False
     asked = next((one for one in read.statements if not isinstance(one, Mention)), None)
     things = getattr(asked, "things", None)

@@ -227,6 +227,10 @@ def _modified(
             continue
         else:
             rest.append(word)
+    sized = next((hint for hint in hints if kind == "object" and lexicon.is_called((hint, *noun))), "")
+    if sized:
+        noun = (sized, *noun)  # "sixteen big paintings" are large ones
+        hints.remove(sized)
     if noun == ("one",):
         words = (*(w.text for w in rest), "one")
         return Noun(words, kind, plural, number, "", colour, material, ordinal, size, tuple(hints), states)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from mansion_editing.instructions.phrases.word_sets import BEFORE_STOREYS
-from mansion_editing.instructions.phrases.words import BE, PREPOSITIONS, Word
+from mansion_editing.instructions.phrases.words import BE, MODALS, PREPOSITIONS, Word
 
 __all__ = ["Storeys", "read_storeys"]
 
@@ -15,6 +15,7 @@ _NAMED: Final = frozenset(["ground", "entrance", "street"])
 _LOWEST: Final = frozenset(["lowest", "bottom", "lower"])
 _HIGHEST: Final = frozenset(["top", "topmost", "uppermost", "highest", "last", "upper"])
 _ABOVE: Final = frozenset(["upstairs"])
+_AFTER_STOREYS: Final = BE | MODALS | frozenset(["too", "please", "has", "have", "need"])
 _BELOW: Final = frozenset(["basement", "cellar"])
 
 
@@ -67,7 +68,7 @@ def _bare_numbers(words: Sequence[Word], at: int, floors: Sequence[int]) -> tupl
         if not (_is(words, place + 1, "and") and place + 2 < len(words) and words[place + 2].kind == "number"):
             break
         place += 2
-    ends = place + 1 >= len(words) or words[place + 1].kind == "mark" or words[place + 1].text in BE | {"too", "please"}
+    ends = place + 1 >= len(words) or words[place + 1].kind == "mark" or words[place + 1].text in _AFTER_STOREYS
     return tuple(found) if ends and found else ()
 
 

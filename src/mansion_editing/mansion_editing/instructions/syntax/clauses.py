@@ -212,6 +212,8 @@ def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
     exists = following is not None and (following.is_finite or following.text == "used")
     if word.tag == "there" and exists:
         return "existence", at + 1, at
+    if word.tag == "be" and following is not None and following.tag == "there":
+        return "question", at, at + 1
     if word.tag in ("modal", "be", "do", "have") and end_of_noun_group(words, at + 1) > at + 1:
         return "question", at, at + 1
     if word.tag == "subordinator" or (word.text in _ALSO_SUBORDINATE and word.tag in ("preposition", "joint")):

@@ -78,6 +78,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
         or _is_counted_before(clauses, words, number)
         or _repeats_swap(clauses, words, number)
         or _is_met_next(clauses, words, number)
+        or _is_heading(clauses, words, number, lexicon)
         for number, tells in enumerate(told)
     ]
     if all(told) or any(tells and _corrects(clause, words) for clause, tells in zip(clauses, told, strict=True)):
@@ -272,6 +273,10 @@ class _Points:
                 continue
             elif word.text == "none" and (noun := self._noun_for("ones")):
                 new = f"no {noun}"
+            elif word.text == "it" and _is_of_part(out) and len(self._told_rooms()) == 1:
+                out.append(replace(word, raw=self._told_rooms()[0], tag="noun"))
+                self.names_rooms = True
+                continue
             elif word.text == "each" and out and out[-1].tag == "preposition" and word.tag == "pronoun":
                 new = self._each_of_them()
             elif word.tag == "pronoun" and word.text in _PRONOUNS and not (within or taken_up):
@@ -388,6 +393,11 @@ class _Points:
         return ""
 
 
+def _is_of_part(words: Sequence[TaggedWord]) -> bool:
+    """Whether words end with ``in the middle of``, which only a room can follow."""
+    return len(words) > 1 and words[-1].text == "of" and words[-2].text in _PARTS_OF_ROOMS | {"centre", "center"}
+
+
 def _end_of_list(words: Sequence[TaggedWord], at: int) -> int:
     """Return the end of the noun groups that are listed from a place on: ``the mug and the plate``."""
     end = end_of_noun_group(words, at)
@@ -495,6 +505,15 @@ def _is_met_next(clauses: Sequence[Clause], words: Sequence[TaggedWord], number:
     needed = [word for word in words[clause.verb : clause.end] if word.tag not in ("adverb", "verb")]
     vague = len(needed) == 2 and all(word.text in _VAGUELY for word in needed)
     return adding and vague and words[clause.verb].verb in ("need", "want", "require", "lack")
+
+
+def _is_heading(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int, lexicon: Lexicon) -> bool:
+    """Whether a sentence only names the room that the next ones are about: ``Crisis room. Take the lamp away.``."""
+    clause = clauses[number]
+    said = words[clause.start : clause.end]
+    alone = number == 0 and clause.form == "fragment" and len(clauses) > 1 and clauses[1].sentence != clause.sentence
+    nouns = tuple(singular(word.text) for word in said if word.tag != "determiner")
+    return alone and lexicon.is_own_room(nouns) and not lexicon.is_called(nouns)
 
 
 def _corrects(clause: Clause, words: Sequence[TaggedWord]) -> bool:

@@ -174,6 +174,55 @@ def _definite(words: Sequence[TaggedWord]) -> str:
     return f"the {joined(words)}" if bare else joined(words)
 
 
+def _lined_with(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``put two benches along the wall in the hall`` for ``line the hall with two benches along the wall``."""
+    said = _said(clauses[at], words)
+    if clauses[at].form != "order" or said[0].verb not in ("line", "dress", "ring"):
+        return None
+    joint = end_of_noun_group(said, 1)
+    if joint >= len(said) - 1 or said[joint].text != "with" or end_of_noun_group(said, joint + 1) == joint + 1:
+        return None
+    return at + 1, f"put {joined(said[joint + 1 :])} in {joined(said[1:joint])}"
+
+
+def _instead_of_some(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``hang it in the hall and remove one of the maps in the hall`` for ``hang it in the hall instead of one``."""
+    said = _said(clauses[at], words)
+    texts = _texts(said)
+    old = next((k for k in range(3, len(said) - 3) if texts[k : k + 2] == ["instead", "of"]), 0)
+    if clauses[at].form != "order" or not old or said[old + 2].tag != "number" or texts[old + 3] != "of":
+        return None
+    place = next((k for k in range(old - 1, 1, -1) if texts[k] in ("in", "on", "at")), 0)
+    if not place or BY_WORDS.get((said[0].verb,)) not in _SETTING:
+        return None
+    return at + 1, f"{joined(said[:old])} and remove {joined(said[old + 2 :])} {joined(said[place:old])}"
+
+
+def _asked_of_room(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``how many beds are there in the hall? Is there a lamp in the hall?`` for ``hall: how many beds, and ...?``."""
+    first = clauses[at]
+    said = _said(first, words)
+    rest = [one for one in clauses[at + 1 :] if one.sentence == first.sentence]
+    colon = first.end < len(words) and words[first.end].text == ":"
+    if first.form != "fragment" or not rest or not colon or not _is_room(said, lexicon):
+        return None
+    asked = []
+    for one in rest:
+        texts = _texts(_said(one, words))
+        counts = texts[:2] == ["how", "many"]
+        if not counts and texts[:2] not in (["is", "there"], ["are", "there"]):
+            return None
+        verb = " are there" if counts and not {"are", "is"} & {*texts} else ""
+        asked.append(f"{joined(_said(one, words))}{verb} in {_definite(said)}")
+    return at + 1 + len(rest), "? ".join(asked)
+
+
+def _is_room(words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:
+    """Whether words name a room of the building, and nothing else."""
+    named = [word for word in words if word.tag != "determiner"]
+    return lexicon.is_own_room(tuple(singular(word.text) for word in named))
+
+
 def _too_many(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
     """Put ``there should be exactly six chairs in the hall`` for ``eight chairs in the hall are too many, leave six``."""
     heading = clauses[at].form == "fragment" and names_something(_said(clauses[at], words), lexicon)
@@ -251,4 +300,5 @@ _VALUES: Final = {
 }
 _RULES: Final[tuple[Callable[[Sequence[Clause], int, Sequence[TaggedWord], Lexicon], _Joined], ...]] = (
     _carried, _swapped_with_companions, _added_where_missing, _all_made_so, _exchanged, _too_many, _told_in_detail,
+    _lined_with, _instead_of_some, _asked_of_room,
 )  # fmt: skip

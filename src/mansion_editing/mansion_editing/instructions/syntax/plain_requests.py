@@ -44,7 +44,7 @@ _WAYS: Final = frozenset("into onto to".split())
 def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
-        _without_edges, _with_place_after, _as_painted, _without_added_clause, _with_companions, _without_comparison, without_simile, without_load,
+        _without_edges, _with_place_after, _as_painted, _as_new, _with_lid_closed, _without_added_clause, _with_companions, _without_comparison, without_simile, without_load,
         with_one_for_each, without_alternatives, with_colour_first, with_lamp_of_ceiling, _as_removed, _with_share, _with_part_after,
         _with_replaced_after, _as_going, _as_obliged, with_wished_colour, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
         _as_turned, _without_purpose, _with_plain_verb,
@@ -86,8 +86,13 @@ def _as_removed(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     if not carried or not out or texts[out + 3] not in _OUT_OF_HERE or out + 4 < len(words):
         return words
     end = out - (texts[out - 1] in ("and", ","))
-    wall = next((k for k in range(2, end) if texts[k] in ("off", "from") and texts[k + 1 : k + 3] == ["the", "wall"]), end)
-    return [replace(words[0], text="remove", raw="remove", verb="remove"), *words[1:wall]]
+    order = replace(words[0], text="remove", raw="remove", verb="remove")
+    wall = next((k for k in range(2, end) if texts[k] in ("off", "from") and texts[k + 1 : k + 3] == ["the", "wall"]), 0)
+    if not wall:
+        return [order, *words[1:end]]
+    named = end_of_noun_group(words, 1)
+    on_it = [replace(words[wall], text="on", raw="on"), *words[wall + 1 : wall + 3]]
+    return [order, *words[1:named], *on_it, *words[named:wall]]
 
 
 _WITH: Final = (["along", "with"], ["together", "with"])
@@ -201,6 +206,28 @@ def _with_place_after(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedW
     put = replace(words[verb], text="put", raw="put", tag="verb", verb="put", form="base")
     place = words[: subject - (words[subject - 1].text == ",")]
     return [put, *words[new:], replace(place[0], raw=place[0].text), *place[1:]]
+
+
+def _as_new(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``add a new bath mat`` for ``new bath mat``."""
+    named = end_of_noun_group(words, 0)
+    if words[0].text != "new" or named < 2 or any(word.is_finite or word.form == "base" for word in words):
+        return words
+    several = singular(words[named - 1].text) != words[named - 1].text
+    first = replace(words[0], raw="new")
+    article = [] if several else [replace(first, text="a", raw="a", tag="determiner")]
+    return [replace(first, text="add", raw="add", tag="verb", verb="add", form="base"), *article, first, *words[1:]]
+
+
+def _with_lid_closed(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``close the lid`` for ``put the lid down``, ``lower the lid``."""
+    texts = [word.text for word in words]
+    lid = next((k for k in range(1, len(words)) if singular(texts[k]) == "lid"), 0)
+    down = "down" in texts or words[0].verb == "lower"
+    if words[0].verb not in ("put", "flip", "lower", "pull", "push", "bring") or not lid or not down:
+        return words
+    rest = [word for word in words[1:] if word.text != "down"]
+    return [replace(words[0], text="close", raw="close", verb="close"), *rest]
 
 
 def _as_painted(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:

@@ -74,6 +74,10 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     )
     if named and (nothing or limiting or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
         return clause.form == "statement" and _tells_of_use(clause, words) and not _asks(clause, words, lexicon)
+    if texts[:2] in (["how", "many"], ["is", "there"], ["are", "there"]) and named:
+        return False
+    if clause.form == "statement" and _tells_of_number(said):
+        return True
     if (said[0].tag == "noun" and (texts[0],) in BY_WORDS) or _is_misspelt(said, lexicon):
         return False  # it may be an order: "plant ...", "opn ..."
     if clause.form == "statement" and texts[0] == "what":
@@ -98,6 +102,15 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     if clause.after == "so" or (texts[0] == "that" and said[0].tag != "determiner"):
         return not (named or _counts(said) or {*texts} & _LIMITING) and not _asks(clause, words, lexicon)
     return not _asks(clause, words, lexicon)
+
+
+def _tells_of_number(said: Sequence[TaggedWord]) -> bool:
+    """Whether ``one is there already``, ``that makes two more`` tells how many there are, or will be."""
+    texts = [word.text for word in said]
+    if texts[:2] in (["that", "makes"], ["which", "makes"]):
+        return said[-1].tag in ("number", "adjective", "pronoun") or texts[-1] == "more"
+    counted = said[0].tag in ("number", "pronoun") or texts[0] == "some"
+    return counted and "already" in texts and len(said) > 2 and any(word.tag == "be" for word in said[1:3])
 
 
 def _is_misspelt(words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:

@@ -221,7 +221,8 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
     if word.text == "her" and not opens_phrase:
         return replace(word, tag="somebody")
     existing = after is not None and (after.tag in ("be", "modal") or after.text in ("used", "seems", "has", "have"))
-    if word.text == "there" and not existing:
+    asked = before is not None and before.tag == "be" and (at == 1 or words[at - 2].tag in ("mark", "joint"))
+    if word.text == "there" and not existing and not asked:
         return replace(word, tag="adverb")
     if word.text == "one" and word.tag == "number" and (after is None or after.tag in _AFTER_PRONOUNS):
         return replace(word, tag="pronoun") if after is None or after.text != "of" else word
