@@ -39,7 +39,7 @@ READ_LIKE = {"kid": "child", "centre": "middle", "center": "middle"}
 _PERSONS_OF_ROOMS = frozenset("child guest staff patient nurse teacher family man woman doctor".split())
 """Persons that rooms are named after, whose name alone does not mean the room."""
 
-_NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "place", "side"])
+_NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "place", "side", "top"])
 """Nouns that end names of objects but do not name any by themselves."""
 
 _KINDS_OF_SPACES = frozenset("room bedroom bathroom office hall area studio station kitchen suite lounge shop".split())

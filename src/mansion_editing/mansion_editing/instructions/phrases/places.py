@@ -56,7 +56,7 @@ class ReadPlace:
 
 _ON: Final = ("on", "onto", "atop")
 _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
-    (("on", "top", "of"), "on"), (("on", "to"), "on"), (("in", "to"), "in"), (("inside", "of"), "in"),
+    (("on", "top", "of"), "on"), (("on", "the", "top", "of"), "on"), (("on", "to"), "on"), (("in", "to"), "in"), (("inside", "of"), "in"),
     (("in", "front", "of"), "front"), (("on", "either", "side", "of"), "around"),
     (("on", "both", "side", "of"), "around"),
     (("to", "the", "left", "and", "right", "of"), "around"), (("on", "the", "left", "and", "right", "of"), "around"),
@@ -187,6 +187,9 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if text_at(words, at) == "inside" and text_at(words, at + 1) in _ENDS:
         last = Things(refers="last", definite=True, amount=Amount(number=0))
         return ReadPlace(Place(relation="in", anchor=last), at, at + 1)
+    if (text_at(words, at), text_at(words, at + 1)) == ("on", "top") and text_at(words, at + 2) in _ENDS:
+        last = Things(refers="last", definite=True, amount=Amount(number=0))
+        return ReadPlace(Place(relation="on", anchor=last), at, at + 2)
     end = end_of_each_other(words, at)
     if end:
         return ReadPlace(Place(relation="beside", anchor=EACH_OTHER), at, end)
@@ -576,9 +579,10 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
     if other.words and not one.words:
         one, other = other, one
     here = (SAME_FLOOR,) if other.same and not other.every and one.words and not (one.floors or one.up) else ()
+    both = tuple(floor for floor in one.floors if floor in other.floors)  # "upstairs on 2"
     return msgspec.structs.replace(
         one,
-        floors=one.floors or other.floors or here,
+        floors=both or one.floors or other.floors or here,
         every=one.every or (other.every and not other.words),
         same=one.same or (other.same and not here and not one.up and not (one.words and other.every)),
         number=one.number or other.number,
