@@ -12,6 +12,7 @@ from mansion_editing.instructions.phrases.former_spots import read_former_spot
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
+from mansion_editing.instructions.phrases.spaces import end_of_building, end_of_same_room, goes_on_with_noun
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import (
     BEFORE_PLACES,
@@ -238,7 +239,7 @@ def _after_preposition(
     if nth and relation in BESIDE_RELATIONS:
         one = Things(noun="one", amount=Amount(number=0), definite=True, ordinal=nth)
         return ReadPlace(Place(relation=relation, anchor=one), start, at + 2)  # "next to the first"
-    if storeys is not None and not _goes_on(words, storeys[2], lexicon):
+    if storeys is not None and not goes_on_with_noun(words, storeys[2], lexicon):
         numbers, every, end = storeys
         rooms = Rooms(floors=numbers, every=every)
         if phrase == ("off",) and text_at(words, at) in ("upstairs", "downstairs"):
@@ -255,10 +256,10 @@ def _after_preposition(
             return None
     if text_at(words, at) == "the" and text_at(words, at + 1) == "same" and text_at(words, at + 2) == "floor":
         return ReadPlace(Place(rooms=Rooms(floors=(SAME_FLOOR,))), start, at + 3, goal, source)
-    whole = _this_building(words, at, lexicon)
+    whole = end_of_building(words, at, lexicon)
     if whole:
         return ReadPlace(Place(), start, whole) if relation in ("in", "") and not goal else None
-    same = _same_room(words, at)
+    same = end_of_same_room(words, at)
     if same:
         return ReadPlace(Place(rooms=Rooms(same=True)), start, same, goal, source)
     target = noun_phrase(words, at, lexicon, floors)
@@ -318,16 +319,6 @@ def _direction(phrase: tuple[str, ...]) -> tuple[bool, bool]:
     return phrase[0] in _GOALS and not source, source
 
 
-def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
-    """Whether a storey is only the modifier of a noun ("in the ground floor kitchen", "on the top floor guest bed")."""
-    if at >= len(words) or words[at].text in ("on", "in"):
-        return False
-    if words[at].text == "one":
-        return True
-    spans = [tuple(word.text for word in words[at : at + count]) for count in (1, 2, 3) if at + count <= len(words)]
-    return any(lexicon.is_object(span) or lexicon.is_room(span) for span in spans)
-
-
 _DISTANCES: Final[dict[str, Relation]] = {
     "nearest": "nearest", "closest": "nearest", "furthest": "farthest", "farthest": "farthest",
 }  # fmt: skip
@@ -358,37 +349,6 @@ def _superlative(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if target is None or target.noun.unknown or target.noun.kind == "room":
         return None
     return ReadPlace(Place(relation=relation, anchor=target.things()), at, target.end)
-
-
-_BUILDINGS: Final = frozenset("building house office school hotel hospital museum home flat apartment clinic".split())
-
-
-def _this_building(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
-    """Return the end of ``this three-storey office``, ``the flat``; 0 where the words name a part of it."""
-    place = at + 1
-    if text_at(words, at) not in ("this", "our", "the", "my"):
-        return 0
-    told = False
-    while place < len(words) and (
-        words[place].kind == "number" or text_at(words, place) in ("floor", "whole", "entire")
-    ):
-        told = True
-        place += 1
-    said = text_at(words, place)
-    plain = said == "building" or ((told or text_at(words, at) == "this") and said in _BUILDINGS)
-    alone = not _goes_on(words, place + 1, lexicon) and not (place < len(words) and words[place].plural)
-    return place + 1 if plain or (lexicon.is_building(said) and alone) else 0
-
-
-def _same_room(words: Sequence[Word], at: int) -> int:
-    """Return the end of ``the same room``, ``that floor``; 0 where there is none."""
-    place = at
-    place += text_at(words, place) in ("the", "that", "this")
-    same = text_at(words, place) == "same"
-    place += same
-    named = text_at(words, place) in ("room", "place")
-    said = same or (place > at and words[at].text in ("that", "this"))
-    return place + 1 if said and named else 0
 
 
 def _spot(
