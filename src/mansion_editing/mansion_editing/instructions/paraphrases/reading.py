@@ -15,6 +15,7 @@ from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import Instruction, Keep, Mention, Rename, Rooms, Statement, Things
 from mansion_editing.instructions.syntax.arrows import without_arrows
 from mansion_editing.instructions.syntax.main_points import MainPoints, main_points
+from mansion_editing.instructions.syntax.pairs import without_misread_pairs
 from mansion_editing.state import SceneState
 
 __all__ = ["read_in_other_words", "reworded"]
@@ -45,11 +46,11 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         With `read_as` where it was put in other words, and a passed-over `Mention` of each clause that was left out;
         where no wording is understood, what was read of the instruction's own.
     """
-    plainly = without_idioms(text)
+    lexicon = Lexicon(state)
+    plainly = without_misread_pairs(without_idioms(text), lexicon)
     first = read_instruction(plainly, state, brief)
     if plainly != text:
         first, text = msgspec.structs.replace(first, read_as=plainly), plainly
-    lexicon = Lexicon(state)
     if first.undecided:
         return first
     points = tuple(main_points(in_running_text(text), lexicon))
@@ -134,7 +135,8 @@ def _taken_back(read: Instruction, text: str) -> str:
 
 def reworded(text: str, lexicon: Lexicon) -> str:
     """Return a text in the plain words of what it asks for."""
-    return with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
+    plain = with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
+    return without_misread_pairs(plain, lexicon)
 
 
 def _wordings(

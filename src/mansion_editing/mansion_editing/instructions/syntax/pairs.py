@@ -1,6 +1,7 @@
 """Clauses that ask for one thing together, put as one order: ``wheel it out of the hall and park it in the shed``."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Final, TypeAlias
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
@@ -9,12 +10,13 @@ from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.requests import names_something
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
-from mansion_language.inflection import singular
+from mansion_language.inflection import plural, singular
 
-__all__ = ["with_pairs_joined"]
+__all__ = ["with_pairs_joined", "without_misread_pairs"]
 
 _Joined: TypeAlias = tuple[int, str] | None
 """The number of the clause after those that are put as one order, and the order."""
+_Rule: TypeAlias = Callable[[Sequence[Clause], int, Sequence[TaggedWord], Lexicon], "tuple[int, str] | None"]
 _OUT: Final = (["out", "of"], ["off"], ["from"], ["down", "from"], ["out", "from"], ["off", "of"])
 _IT: Final = frozenset(["it", "them", "those", "that", "these"])
 _SETTING: Final = frozenset(["add", "bring", "move", "set", "take", "leave"])
@@ -33,12 +35,26 @@ def with_pairs_joined(text: str, lexicon: Lexicon) -> str:
     text : str
         In running text, without contractions.
     """
+    return _joined_by(_RULES, text, lexicon)
+
+
+def without_misread_pairs(text: str, lexicon: Lexicon) -> str:
+    """Return a text with those clauses put as one order that would ask for something else if they were read alone.
+
+    Examples
+    --------
+    ``No lights on upstairs`` does not take lights away.
+    """
+    return _joined_by(_MISREAD, text, lexicon)
+
+
+def _joined_by(rules: Sequence[_Rule], text: str, lexicon: Lexicon) -> str:
     words = tagged(text, lexicon)
     clauses = clauses_of(words)
     out: list[str] = []
     at = end = 0
     while at < len(clauses):
-        found = next((pair for rule in _RULES if (pair := rule(clauses, at, words, lexicon)) is not None), None)
+        found = next((pair for rule in rules if (pair := rule(clauses, at, words, lexicon)) is not None), None)
         if found is None:
             at += 1
             continue
@@ -223,6 +239,132 @@ def _is_room(words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:
     return lexicon.is_own_room(tuple(singular(word.text) for word in named))
 
 
+_RUNNING: Final = frozenset("run burn glow shine be".split())
+
+
+def _contrasted(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``the lamps should be on and the pendants should be off`` for ``the lamps should burn, the pendants not``."""
+    if clauses[at].form != "statement":
+        return None
+    told = _said(clauses[at], words)
+    comma = next((k for k in range(len(told) - 1, 2, -1) if told[k].text == ","), 0)
+    within = told[-1].text == "not" and comma > 0
+    if within:
+        told, other = told[:comma], told[comma + 1 :]
+    elif at + 1 < len(clauses) and clauses[at + 1].form == "fragment":
+        other = _said(clauses[at + 1], words)
+    else:
+        return None
+    modal = next((k for k in range(1, len(told) - 1) if told[k].text in ("should", "must", "shall")), 0)
+    running = bool(modal) and (told[modal + 1].verb in _RUNNING - {"be"} or _texts(told[modal + 1 : modal + 3]) == ["be", "on"])
+    if not running or other[-1].text != "not" or not any(word.tag == "noun" for word in other):
+        return None
+    return at + 2 - within, f"{joined(told[:modal])} should be on and {joined(other[:-1])} should be off"
+
+
+_ON: Final = frozenset("on running burning lit".split())
+
+
+def _none_on(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``turn off all lights upstairs`` for ``no light on upstairs``, which takes none away."""
+    said = _said(clauses[at], words)
+    start = next((k for k, word in enumerate(said) if word.text == "no"), -1)
+    end = end_of_noun_group(said, start + 1) if start >= 0 else 0
+    told = start == 0 or _texts(said[:start]) in (["there", "should", "be"], ["there", "must", "be"])
+    if not told or end <= start + 1 or end >= len(said) or said[end].text not in _ON:
+        return None
+    following = said[end + 1] if end + 1 < len(said) else None
+    placed = following is not None and following.tag not in ("preposition", "adverb", "adjective", "mark", "joint")
+    noun = tuple(singular(word.text) for word in said[start + 1 : end] if word.tag == "noun")
+    if placed or not (lexicon.takes_state(noun, "on") or lexicon.gives_light(noun)):
+        return None
+    last = said[end - 1]
+    things = [*said[start + 1 : end - 1], replace(last, raw=plural(singular(last.text)))]
+    return at + 1, f"turn off all {joined(things)} {joined(said[end + 1 :])}".strip()
+
+
+def _spread(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``put five bears on the tables`` for ``five bears, spread over the tables``."""
+    if at + 1 >= len(clauses) or clauses[at].form != "fragment" or clauses[at + 1].after != ",":
+        return None
+    new, order = (_said(clause, words) for clause in clauses[at : at + 2])
+    over = order[0].text in ("spread", "scattered", "distributed") and order[1:2] and order[1].text in _OVER
+    if not over or not names_something(new, lexicon) or new[0].tag not in ("number", "determiner", "noun", "adjective"):
+        return None
+    return at + 2, f"put {joined(new)} on {joined(order[2:])}"
+
+
+_OVER: Final = frozenset("over across on among around".split())
+
+
+def _in_place_of_those(
+    clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon
+) -> _Joined:
+    """Leave out ``in their place:`` before what comes instead of what goes by the clause before."""
+    texts = _texts(_said(clauses[at], words))
+    said = texts in (["in", "their", "place"], ["in", "its", "place"], ["in", "their", "stead"])
+    if not said or at + 1 >= len(clauses) or not at:
+        return None
+    following = _spread(clauses, at + 1, words, lexicon)
+    if following is not None:
+        return following
+    return at + 2, f"add {joined(_said(clauses[at + 1], words))}" if clauses[at + 1].form == "fragment" else ""
+
+
+def _swapped_topic(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``swap the red vase with the clock`` for ``red vase: swap places with the clock``."""
+    if at + 1 >= len(clauses) or clauses[at].form != "fragment" or clauses[at + 1].form != "order":
+        return None
+    topic, order = (_said(clause, words) for clause in clauses[at : at + 2])
+    texts = _texts(order)
+    colon = words[clauses[at].end].text in (":", "-")
+    if not colon or texts[:3] not in ([verb, "places", "with"] for verb in ("swap", "change", "exchange", "trade")):
+        return None
+    return at + 2, f"swap {_definite(topic)} with {joined(order[3:])}"
+
+
+def _namely(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``remove the tables and the plant from the hall`` for ``remove the old stuff from the hall, i.e. ...``."""
+    if at + 1 >= len(clauses) or clauses[at].form != "order":
+        return None
+    order, listed = (_said(clause, words) for clause in clauses[at : at + 2])
+    if _texts(listed[:2]) != ["that", "is"] or len(listed) < 3:
+        return None
+    if listed[2].form == "base":
+        return at + 2, joined(listed[2:])
+    end = end_of_noun_group(order, 1)
+    return (at + 2, f"{order[0].raw} {joined(listed[2:])} {joined(order[end:])}".strip()) if end > 1 else None
+
+
+def _supplied(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``put a guitar on the stand in the hall`` for ``there is a stand in the hall but no guitar. Fix that.``."""
+    for last in range(at + 1, min(at + 3, len(clauses))):
+        order = _said(clauses[last], words)
+        fixing = order[0].verb in ("fix", "change", "sort", "remedy", "mend", "correct") and len(order) <= 3
+        if not (fixing and order[1:2] and order[1].text in ("that", "it", "this")):
+            continue
+        said = [*words[clauses[at].start : clauses[last - 1].end]]
+        texts = _texts(said)
+        but = next((k for k in range(3, len(said) - 1) if texts[k] == "but" and texts[k + 1] == "no"), 0)
+        if texts[:1] != ["there"] or not but or said[1].tag != "be":
+            return None
+        missing = [word for word in said[but + 2 :] if word.text not in ("there", "on", "it", "in")]
+        holder = end_of_noun_group(said, 2)
+        noun = tuple(singular(word.text) for word in said[2:holder] if word.tag == "noun")
+        if not missing or holder == 2 or not noun:
+            return None
+        where = "on" if lexicon.carries(noun) else "beside"
+        named = [word for word in said[2:but] if word.text not in ("a", "an", ",")]
+        return last + 1, f"put {_a(missing)} {where} the {joined(named)}"
+    return None
+
+
+def _a(words: Sequence[TaggedWord]) -> str:
+    several = singular(words[-1].text) != words[-1].text
+    article = "" if several else "an " if words[0].text[:1] in tuple("aeiou") else "a "
+    return f"{article}{joined(words)}"
+
+
 def _too_many(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
     """Put ``there should be exactly six chairs in the hall`` for ``eight chairs in the hall are too many, leave six``."""
     heading = clauses[at].form == "fragment" and names_something(_said(clauses[at], words), lexicon)
@@ -298,7 +440,8 @@ _VALUES: Final = {
         "seventeen eighteen nineteen twenty".split()
     )
 }
-_RULES: Final[tuple[Callable[[Sequence[Clause], int, Sequence[TaggedWord], Lexicon], _Joined], ...]] = (
+_MISREAD: Final[tuple[_Rule, ...]] = (_none_on, _swapped_with_companions)
+_RULES: Final[tuple[_Rule, ...]] = (
     _carried, _swapped_with_companions, _added_where_missing, _all_made_so, _exchanged, _too_many, _told_in_detail,
-    _lined_with, _instead_of_some, _asked_of_room,
+    _none_on, _in_place_of_those, _spread, _contrasted, _swapped_topic, _namely, _supplied, _lined_with, _instead_of_some, _asked_of_room,
 )  # fmt: skip

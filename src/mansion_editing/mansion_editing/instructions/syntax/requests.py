@@ -49,6 +49,7 @@ _MEANT_AGAIN: Final = frozenset(
     "content one ones door window wall".split()
 )
 """Words of subjects that mean things without their name."""
+_SWITCHED: Final = frozenset("on off open closed shut lit".split())
 _FINE: Final = frozenset("right correct fine ok okay alright good".split())
 _WHOLES_OF: Final = frozenset("everything all whatever".split())
 _DENYING: Final = frozenset(["not", "no", "never"])
@@ -146,6 +147,8 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     if verb.tag == "modal" and any(word.tag == "number" for word in subject):
         return True
     able = {"able", "reach", "get"} & {*texts}
+    if verb.text in _OBLIGING and {*texts[1:]} & _SWITCHED and not is_person(subject):
+        return True  # whatever it is: "the pendants should be off"
     if verb.text in _OBLIGING or (verb.tag in ("be", "have") and _is_to(rest)) or texts[:2] in _NEEDING:
         return not somebody or aimed or bool(able)
     if any(word.form == "gerund" and (word.verb,) in BY_WORDS for word in rest) and main.verb == "need":
