@@ -16,6 +16,7 @@ from mansion_editing.instructions.meaning.bare_nouns import with_existing_things
 from mansion_editing.instructions.meaning.brief import asked_of
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
+from mansion_editing.instructions.meaning.vacated import went_away
 from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention, Things, When
 from mansion_editing.runs.policies import Action, Outcome, Policy, Unmet, Verdict
 from mansion_editing.runs.run import run_policy
@@ -219,7 +220,8 @@ def _carried_out(
             continue
         course.steps.append(step)
         course.replies += [*([done.reply] if done.reply else []), *moved_aside(step)]
-        before, course.context = after, done.context
+        gone = went_away(before, after)
+        before, course.context = after, replace(done.context, vacated=gone or done.context.vacated)
     return None
 
 

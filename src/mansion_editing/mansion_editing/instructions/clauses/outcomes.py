@@ -332,7 +332,8 @@ def places_besides(item: Item, other: Item) -> tuple[ReadPlace, ...]:
 def goes_on_from_a_room(places: Sequence[ReadPlace]) -> bool:
     """Whether places begin with where something is, and a goal follows: ``in the storage to the lobby``."""
     named = [read.place.anchor is not None or bool(read.place.rooms and read.place.rooms.words) for read in places]
-    told = next((k for k, read in enumerate(places) if read.goal and named[k]), 0)
+    aside = [read.place.relation in ("left", "right") for read in places]
+    told = next((k for k, read in enumerate(places) if read.goal and named[k] and not aside[k]), 0)
     rooms = [place.place.rooms for place in places[:told]]
     return told > 0 and any(room is not None and room.words for room in rooms)
 

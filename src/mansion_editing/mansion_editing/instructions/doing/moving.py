@@ -8,6 +8,7 @@ from typing import Any, Final
 
 import msgspec
 
+from mansion_editing.instructions.doing.former_spots import move_to_former_spot
 from mansion_editing.instructions.doing.gathering import gather
 from mansion_editing.instructions.doing.new_assets import counters_by
 from mansion_editing.instructions.doing.providing import add, wishes_of
@@ -24,6 +25,7 @@ from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.targets import Target, names_any, places_of
 from mansion_editing.instructions.meaning.wording import bare_words, place_words, thing_words
 from mansion_editing.instructions.phrases.each_other import EACH_OTHER
+from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.storage import AWAY
 from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
 from mansion_editing.provisioning.facts import Scope
@@ -55,6 +57,9 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     """Bring things that are there to a place; new ones only where words allow it and none is in the building."""
     if statement.place.anchor == EACH_OTHER:
         return (yield from gather(statement, state, context))
+    statement = _to_its_spot(statement, state, context)
+    if statement.place.former is not None:
+        return (yield from move_to_former_spot(statement, state, context))
     if statement.place == AWAY:
         return (yield from stow(statement, state, context))
     statement = _of_another(statement, context)
@@ -82,7 +87,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
             return Done(said, replace(after, assumed=frozenset(item.id for item in arrived)))
     place = at_home(state, things, place, context)
     place, context = _on_other_storey(state, things, place, context)
-    targets = _targets(state, place, context, found if len(found) == 1 else ())
+    targets = _targets(state, place, context, found, found if len(found) == 1 else ())
     there = _already_there(state, found, place, targets, context)
     away = [item for item in found if item.id not in there]
     single = not things.plural and things.amount.number <= 1 and things.amount.kind in ("some", "all")
@@ -110,6 +115,18 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     source = tuple(dict.fromkeys(item.room for item in chosen))
     context = context.followed((), source, "") if len(source) == 1 else context
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _to_its_spot(statement: Move, state: SceneState, context: Context) -> Move:
+    """Return ``hang the painting there`` as where the clock was that went, if the painting is in that room already."""
+    if statement.place != Place(rooms=Rooms(same=True)) or not context.vacated or statement.things.refers:
+        return statement
+    here = Place(rooms=Rooms(words=context.vacated[0].room))
+    things = statement.things if statement.things.place is not None else with_place(statement.things, here)
+    if context.vacated[0].room not in context.rooms or not things_of(state, things, context):
+        return statement
+    spot = Place(former=Things(refers="last", definite=True))
+    return msgspec.structs.replace(statement, things=things, place=spot)
 
 
 def _refuse_other_looks(state: SceneState, things: Things, place: Place, context: Context) -> None:
@@ -234,12 +251,16 @@ def _new(things: Things) -> Things:
     return msgspec.structs.replace(things, definite=False, place=None, owned="")
 
 
-def _targets(state: SceneState, place: Place, context: Context, moving: Sequence[SceneObject]) -> list[Target]:
+def _targets(
+    state: SceneState, place: Place, context: Context, found: Sequence[SceneObject], moving: Sequence[SceneObject]
+) -> list[Target]:
     if place.outside:
         raise Unmet(f"say where to, not only {place_words(place)}")
     if place.anchor is None and place.rooms is None:
         return []
-    targets = places_of(state, place, context, besides={item.id for item in moving})
+    storeys = {item.room.split("/", 1)[0] for item in found}
+    besides = {item.id for item in moving}
+    targets = places_of(state, place, context, fits=lambda room: storeys == {room.split("/", 1)[0]}, besides=besides)
     if not targets:
         raise Unmet(f"there is nothing {place_words(place)}: no such thing is there")
     return targets
@@ -360,9 +381,9 @@ def _ways(
         holder = target.anchor.parent if is_loose(item) else None
         tops = counters_by(target.anchor, place, state) if item.mount != "floor" and is_loose(item) else []
         return [{"receptacle_id": name, **wishes} for name in (*tops, holder or target.room)]
-    if own:
+    if own and not place.on_floor:
         return [wishes]
-    if not is_loose(item) or place.spot:
+    if own or not is_loose(item) or place.spot or place.on_floor:
         return [{"receptacle_id": target.room, **wishes}]
     surfaces = yield from find_surfaces(Scope("room", "", (target.room,)), state, item.name or item.category)
     ways = [{"receptacle_id": surface, **wishes} for surface in surfaces[:MOST_CARRIERS] if surface != item.id]

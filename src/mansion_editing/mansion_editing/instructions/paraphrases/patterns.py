@@ -52,7 +52,8 @@ _CONTRACTED: Final = (
 _MARKS: Final = (
     ("[‘’`]", "'"), ("[“”„]", '"'), (r"\s*(?:\.\.\.|…)\s*", " - "), (r"\s+(?:--|[–—-])\s+", " - "),
     (r"\bfourty\b", "forty"), (r"\bnot a single\b", "no"), (r"\bclose (?:up |by )?to\b", "near"),
-    (r"\bi\. ?e\. ?", "that is "), (r"\be\. ?g\. ?", "for example "), (r"[ \t]+", " "),
+    (r' & (?=(?:[^"]*"[^"]*")*[^"]*$)', " and "), (r"\bi\. ?e\. ?", "that is "), (r"\be\. ?g\. ?", "for example "),
+    (r"[ \t]+", " "),
 )  # fmt: skip
 
 

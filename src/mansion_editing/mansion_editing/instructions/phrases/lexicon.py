@@ -13,7 +13,7 @@ from mansion_knowledge import default_knowledge, interchangeable_names
 from mansion_knowledge.common_words import common_words
 from mansion_language.spelling import Speller
 
-__all__ = ["ANYTHING", "HYPERNYMS", "LIGHTS", "WAYS", "Lexicon"]
+__all__ = ["ANYTHING", "HYPERNYMS", "LIGHTS", "READ_LIKE", "WAYS", "Lexicon"]
 
 ANYTHING = frozenset(["thing", "object", "stuff", "item", "content", "everything", "anything", "clutter", "mess"])
 """Nouns for whatever is there."""
@@ -33,7 +33,7 @@ LIGHTS = ("lamp", "light", "chandelier", "ceiling_panel", "spot_track")
 _DOORS = frozenset({("door",), *((word, "door") for word in (*OUTER_DOORS, *DOOR_KINDS))})
 """Nouns for what opens and closes in the structure."""
 
-_LIKE = {"kid": "child"}
+READ_LIKE = {"kid": "child", "centre": "middle", "center": "middle"}
 """Words that instructions are read with in place of others."""
 
 _PERSONS_OF_ROOMS = frozenset("child guest staff patient nurse teacher family man woman doctor".split())
@@ -242,7 +242,7 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
         called = stems(room.name)
         plain = called[: called.index("for")] if "for" in called[1:] else called  # "Office for two clerks"
         for said in (own, bare, called, plain, kind, *(stems(alias) for alias in room.aliases)):
-            name = tuple(_LIKE.get(word, word) for word in said if word != "s")  # of a genitive: the children's room
+            name = tuple(READ_LIKE.get(word, word) for word in said if word != "s")  # of a genitive: the children's room
             proper = tuple(
                 word for word in name if word not in _words_of_kinds(state.catalogue) and not word.isdecimal()
             )
@@ -254,6 +254,9 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
             yield name
             if len(name) > 1 and name[-1].isdecimal():
                 yield name[:-1]
+            if "and" in name[1:-1]:
+                joint = name.index("and")
+                yield from (name[:joint], name[joint + 1 :])  # the kitchen of "Kitchen and living room"
 
 
 def _names_of_kind(room_type: str) -> frozenset[tuple[str, ...]]:

@@ -8,6 +8,7 @@ import msgspec
 
 from mansion_editing.instructions.phrases.distances import read_distance, read_within
 from mansion_editing.instructions.phrases.each_other import EACH_OTHER, end_of_each_other
+from mansion_editing.instructions.phrases.former_spots import read_former_spot
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
@@ -19,7 +20,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     NEAR_SPOTS,
     OUTER_DOORS,
 )
-from mansion_editing.instructions.phrases.words import BE, MODALS, Word, text_at
+from mansion_editing.instructions.phrases.words import BE, MODALS, PREPOSITIONS, Word, text_at
 from mansion_editing.instructions.statements import JOINED, Amount, Place, Relation, Rooms, Spot, Things
 
 __all__ = ["SAME_FLOOR", "SUPERLATIVES", "ReadPlace", "merged", "read_place", "with_place"]
@@ -149,6 +150,9 @@ def _relative(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence
 
 
 def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    former = read_former_spot(words, at, lexicon, floors)
+    if former is not None:
+        return ReadPlace(Place(former=former[0]), at, former[1], goal=True)
     relative = _relative(words, at, lexicon, floors)
     if relative is not None:
         return relative
@@ -227,9 +231,9 @@ def _after_preposition(
         held: Relation = relation if relation in ("on", "in") else ""
         return ReadPlace(Place(relation=held, rooms=Rooms(same=True)), start, at + 1, goal, source)
     storeys = read_storeys(words, at, floors)
-    ordinal = words[at + 1] if storeys is not None and storeys[2] == at + 2 and text_at(words, at) == "the" else None
-    if ordinal is not None and ordinal.kind == "ordinal" and relation in BESIDE_RELATIONS:
-        one = Things(noun="one", amount=Amount(number=0), definite=True, ordinal=int(ordinal.value))
+    nth = _ordinal_alone(words, at)
+    if nth and relation in BESIDE_RELATIONS:
+        one = Things(noun="one", amount=Amount(number=0), definite=True, ordinal=nth)
         return ReadPlace(Place(relation=relation, anchor=one), start, at + 2)  # "next to the first"
     if storeys is not None and not _goes_on(words, storeys[2], lexicon):
         numbers, every, end = storeys
@@ -240,16 +244,12 @@ def _after_preposition(
     spot = _spot(words, start, at, phrase, relation, lexicon, floors)
     if spot is not None:
         return spot
-    if (
-        text_at(words, at) == "the"
-        and text_at(words, at + 1) == "floor"
-        and phrase[0] in (*_ON, *_ALL_OVER, "off", "from")
-    ):
-        inner = _after_preposition(words, at + 2, at + 3, ("in",), "in", lexicon, floors)
-        room = inner is not None and text_at(words, at + 2) in ("of", "in") and inner.place.anchor is None
-        if inner is not None and room and inner.place.rooms is not None:
-            return ReadPlace(Place(rooms=inner.place.rooms), start, inner.end, goal, source, each=inner.each)
-        return None if phrase[0] in _ALL_OVER else ReadPlace(Place(), start, at + 2, goal, source)
+    if phrase[0] in (*_ON, *_ALL_OVER, "off", "from"):
+        floor = _on_floor(words, at, lexicon, floors)
+        if floor is not None and (phrase[0] not in _ALL_OVER or floor[0].rooms is not None):
+            return ReadPlace(floor[0], start, floor[1], goal, source, each=floor[2])
+        if floor is not None:
+            return None
     if text_at(words, at) == "the" and text_at(words, at + 1) == "same" and text_at(words, at + 2) == "floor":
         return ReadPlace(Place(rooms=Rooms(floors=(SAME_FLOOR,))), start, at + 3, goal, source)
     whole = _this_building(words, at, lexicon)
@@ -267,6 +267,33 @@ def _after_preposition(
         return _between(words, start, target, lexicon, floors)
     read = _at_noun(words, start, phrase, relation, target, lexicon, floors, goal=goal, source=source)
     return _at_door(words, read, lexicon, floors) if target.noun.words[-1:] == ("door",) else read
+
+
+def _on_floor(
+    words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]
+) -> tuple[Place, int, bool] | None:
+    """Read ``the floor``, ``the floor of the hall``, ``the kitchen floor``: a place, its end, and whether each is meant."""
+    if text_at(words, at) != "the":
+        return None
+    if text_at(words, at + 1) == "floor":
+        inner = _after_preposition(words, at + 2, at + 3, ("in",), "in", lexicon, floors)
+        room = inner is not None and text_at(words, at + 2) in ("of", "in") and inner.place.anchor is None
+        if inner is not None and room and inner.place.rooms is not None:
+            return Place(rooms=inner.place.rooms, on_floor=True), inner.end, inner.each
+        return Place(on_floor=True), at + 2, False
+    end = next((k for k in range(at + 2, min(at + 5, len(words))) if words[k].text == "floor"), 0)
+    name = tuple(word.text for word in words[at + 1 : end])
+    if not end or not lexicon.is_room(name) or (end + 1 < len(words) and words[end + 1].kind == "number"):
+        return None
+    return Place(rooms=Rooms(words=" ".join(name)), on_floor=True), end + 1, False
+
+
+def _ordinal_alone(words: Sequence[Word], at: int) -> int:
+    """Return which one ``the first``, without a noun, means; 0 for other words."""
+    if text_at(words, at) != "the" or at + 1 >= len(words) or words[at + 1].kind != "ordinal":
+        return 0
+    ends = at + 2 >= len(words) or words[at + 2].kind == "mark" or words[at + 2].text in PREPOSITIONS | {"and", "please"}
+    return int(words[at + 1].value) if ends else 0
 
 
 def _at_door(words: Sequence[Word], read: ReadPlace, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace:
@@ -289,12 +316,13 @@ def _direction(phrase: tuple[str, ...]) -> tuple[bool, bool]:
 
 
 def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
-    """Whether a storey is only the modifier of a noun ("in the ground floor kitchen")."""
-    return (
-        at < len(words)
-        and (words[at].text == "one" or lexicon.is_room((words[at].text,)) or lexicon.is_object((words[at].text,)))
-        and (words[at].text not in ("on", "in"))
-    )
+    """Whether a storey is only the modifier of a noun ("in the ground floor kitchen", "on the top floor guest bed")."""
+    if at >= len(words) or words[at].text in ("on", "in"):
+        return False
+    if words[at].text == "one":
+        return True
+    spans = [tuple(word.text for word in words[at : at + count]) for count in (1, 2, 3) if at + count <= len(words)]
+    return any(lexicon.is_object(span) or lexicon.is_room(span) for span in spans)
 
 
 _DISTANCES: Final[dict[str, Relation]] = {
@@ -527,10 +555,15 @@ def merged(outer: Place, inner: Place) -> Place:
             facing=outer.facing or inner.facing,
             within=outer.within or inner.within,
             apart=outer.apart or inner.apart,
+            on_floor=outer.on_floor or inner.on_floor,
         )
     if outer.anchor is None:
         return msgspec.structs.replace(
-            inner, rooms=rooms, spot=outer.spot or inner.spot, facing=outer.facing or inner.facing
+            inner,
+            rooms=rooms,
+            spot=outer.spot or inner.spot,
+            facing=outer.facing or inner.facing,
+            on_floor=outer.on_floor or inner.on_floor,
         )
     plain = msgspec.structs.replace(inner, rooms=None)
     anchor = with_place(outer.anchor, plain)

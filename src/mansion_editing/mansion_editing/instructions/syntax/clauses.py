@@ -108,6 +108,8 @@ def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
     """Return the end of a clause whose verb stands at a place: where a mark or a joint comes before another one."""
     for k in range(at + 1, len(words)):
         word, following = words[k], k + 1
+        if _is_range(words, k):
+            continue
         if word.text in ("(", ")", ":") or (word.text in _MARKS and form == "fragment"):
             return k
         if word.text == "so" and words[at].verb in TURNING:
@@ -140,6 +142,14 @@ def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
         elif word.tag == "modal" and word.text in _PLEAS and k + 1 < len(words) and words[k + 1].text == "you":
             return k
     return len(words)
+
+
+def _is_range(words: Sequence[TaggedWord], at: int) -> bool:
+    """Whether a dash stands between two numbers: ``rooms 1-4``."""
+    if words[at].text not in ("-", "–") or at + 1 >= len(words):
+        return False
+    touching = words[at - 1].end == words[at].start and words[at].end == words[at + 1].start
+    return touching and words[at - 1].tag == words[at + 1].tag == "number"
 
 
 def _adds_one_more(words: Sequence[TaggedWord], at: int) -> bool:

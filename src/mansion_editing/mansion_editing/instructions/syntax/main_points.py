@@ -7,6 +7,7 @@ from typing import Final
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.words import PLURAL_PRONOUNS, SENTENCE_ENDS
+from mansion_editing.instructions.syntax.appositions import without_appositions
 from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
 from mansion_editing.instructions.syntax.list_colons import without_list_colons
 from mansion_editing.instructions.syntax.made_numbers import made_number, with_number_made
@@ -17,6 +18,8 @@ from mansion_editing.instructions.syntax.plain_requests import plainly_asked
 from mansion_editing.instructions.syntax.requests import is_person, names_something, only_tells
 from mansion_editing.instructions.syntax.room_numbers import with_room_numbers
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
+from mansion_editing.instructions.syntax.wished_states import with_wished_states
+from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import plural, singular
 
 __all__ = ["MainPoints", "main_points"]
@@ -64,7 +67,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
         In running text, without contractions.
     """
     text = with_pairs_joined(with_room_numbers(text, lexicon), lexicon)
-    words: Sequence[TaggedWord] = without_list_colons(tagged(text, lexicon))
+    words: Sequence[TaggedWord] = with_wished_states(without_appositions(without_list_colons(tagged(text, lexicon))))
     if any(word.text in _FOREIGN for word in words):
         return
     clauses, words = _wished(clauses_of(words), words)
@@ -115,7 +118,8 @@ class _Points:
         if tells:
             said_so = self.text[self.words[clause.start].start : self.words[clause.end - 1].end]
             self.remarks.append(said_so)
-            if clause.form == "existence" or self.words[clause.verb].tag == "have":
+            coloured = self.words[clause.verb].tag == "be" and self.words[clause.end - 1].text in COLOUR_WORDS
+            if clause.form == "existence" or self.words[clause.verb].tag == "have" or coloured:
                 self.described.append(said_so)
         elif self._makes_number(clause):
             pass
@@ -267,6 +271,8 @@ class _Points:
             elif word.text == "its" and self._is_part_of_told_room(number):
                 out.append(replace(word, text="the", raw="the", tag="determiner"))
                 continue
+            elif word.text == "none" and (noun := self._noun_for("ones")):
+                new = f"no {noun}"
             elif word.text == "it" and _is_of_part(out) and len(self._told_rooms()) == 1:
                 out.append(replace(word, raw=self._told_rooms()[0], tag="noun"))
                 self.names_rooms = True

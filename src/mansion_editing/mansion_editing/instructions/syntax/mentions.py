@@ -150,7 +150,12 @@ def _place_after(clause: Clause, words: Sequence[TaggedWord], at: int) -> Sequen
     while at < clause.end and (words[at].text in _IDLE or (at <= clause.verb + 3 and _says_where(words[at], resting))):
         at += 1
     start = at
-    while at < clause.end and words[at].tag == "preposition" and words[at].text not in ("for", "with", "like", "at"):
+    while at < clause.end:
+        if words[at].text in ("upstairs", "downstairs"):
+            at += 1
+            continue
+        if words[at].tag != "preposition" or words[at].text in ("for", "with", "like", "at"):
+            break
         end = end_of_noun_group(words[: clause.end], at + 1)
         if end == at + 1:
             if at + 1 < clause.end and words[at + 1].tag in ("preposition", "to"):

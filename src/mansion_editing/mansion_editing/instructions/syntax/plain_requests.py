@@ -21,6 +21,7 @@ from mansion_editing.instructions.syntax.plain_things import (
 from mansion_editing.instructions.syntax.requests import names_something
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
 from mansion_language.colours import COLOUR_WORDS
+from mansion_editing.instructions.syntax.wished_states import with_wished_colour
 from mansion_language.inflection import plural, singular
 
 __all__ = ["plainly_asked"]
@@ -45,7 +46,7 @@ def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedW
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
         _without_edges, _with_place_after, _as_caused, _as_running, _as_painted, _as_new, _with_lid_closed, _without_added_clause, _with_companions, _without_comparison, without_simile, without_load,
         with_one_for_each, without_alternatives, with_colour_first, with_lamp_of_ceiling, _as_removed, _with_share, _with_part_after,
-        _with_replaced_after, _as_going, _as_obliged, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
+        _with_replaced_after, _as_going, _as_obliged, with_wished_colour, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
         _as_turned, _without_purpose, _with_plain_verb,
     )  # fmt: skip
     said = list(words)

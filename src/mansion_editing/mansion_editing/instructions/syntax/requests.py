@@ -5,6 +5,7 @@ from itertools import pairwise
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.nouns import MATERIALS
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.word_sets import PEOPLE
 from mansion_editing.instructions.phrases.words import PERSONS
@@ -12,6 +13,7 @@ from mansion_editing.instructions.syntax.clauses import Clause
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
 from mansion_editing.instructions.syntax.verb_forms import verb_forms
+from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import singular
 from mansion_language.numbers import ORDINALS
 
@@ -94,6 +96,7 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     if clause.form == "fragment":
         states = {texts[-1], *(text for text in texts if text not in ("on", "up", "down", "out"))} & _STATES
         counted = any(word.tag == "number" and word.text not in ORDINALS for word in said)
+        counted = counted or any(word.text in COLOUR_WORDS or word.text in MATERIALS for word in said)
         return not (named or {*texts} & (_LIMITING | _WHOLES) or states or counted or _takes_up(said))
     if clause.after == "but" and named and _takes_up(words[clause.subject : clause.subject + 1]):
         return False  # "but tonight it sleeps on the sofa"

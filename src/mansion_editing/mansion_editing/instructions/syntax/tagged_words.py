@@ -79,7 +79,7 @@ _PREPOSITIONS: Final = frozenset(
     "beneath opposite about per after before during until since next like except despite than via away "
     "nearest closest nearer".split()
 )
-_JOINTS: Final = frozenset("and but or so then plus nor".split())
+_JOINTS: Final = frozenset("and & but or so then plus nor".split())
 _SUBORDINATORS: Final = frozenset(
     "because since as when while if unless although though whereas once whenever until before after whether that "
     "where wherever whilst".split()
