@@ -10,6 +10,7 @@ from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.requests import names_something
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
+from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import plural, singular
 
 __all__ = ["with_pairs_joined", "without_misread_pairs"]
@@ -268,6 +269,8 @@ _ON: Final = frozenset("on running burning lit".split())
 def _none_on(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
     """Put ``turn off all lights upstairs`` for ``no light on upstairs``, which takes none away."""
     said = _said(clauses[at], words)
+    if _texts(said[:1]) == ["nothing"] and _texts(said[1:4]) in (["should", "be", "on"], ["must", "be", "on"]):
+        return at + 1, f"turn off everything {joined(said[4:])}".strip()
     start = next((k for k, word in enumerate(said) if word.text == "no"), -1)
     end = end_of_noun_group(said, start + 1) if start >= 0 else 0
     told = start == 0 or _texts(said[:start]) in (["there", "should", "be"], ["there", "must", "be"])
@@ -281,6 +284,83 @@ def _none_on(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], le
     last = said[end - 1]
     things = [*said[start + 1 : end - 1], replace(last, raw=plural(singular(last.text)))]
     return at + 1, f"turn off all {joined(things)} {joined(said[end + 1 :])}".strip()
+
+
+def _not_needed(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``remove the second toaster`` for ``we do not need the second toaster``."""
+    said = _said(clauses[at], words)
+    texts = _texts(said)
+    denied = texts[:4] in (["we", "do", "not", "need"], ["i", "do", "not", "need"], ["we", "do", "not", "want"],
+                           ["nobody", "needs"] + texts[2:4], ["no", "one", "needs"] + texts[3:4])  # fmt: skip
+    start = 4 if texts[1:3] == ["do", "not"] else 3 if texts[:2] == ["no", "one"] else 2
+    end = end_of_noun_group(said, start)
+    definite = start < len(said) and said[start].text in ("the", "this", "that", "these", "those")
+    if not denied or not definite or not names_something(said[start:end], lexicon):
+        return None
+    stop = next((k for k in range(end, len(said)) if said[k].text in ("any", "anymore", "at", "now")), len(said))
+    if any(word.is_finite or word.tag == "to" for word in said[end:stop]):
+        return None
+    return at + 1, f"remove {joined(said[start:stop])}"
+
+
+def _left_only(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``remove everything from the hall except the bench`` for ``leave only the bench in the hall``."""
+    said = _said(clauses[at], words)
+    if clauses[at].form != "order" or _texts(said[:2]) not in (["leave", "only"], ["keep", "only"]):
+        return None
+    place = next((k for k in range(3, len(said)) if said[k].text in ("in", "on")), 0)
+    if not place or not names_something(said[place:], lexicon):
+        return None
+    return at + 1, f"remove everything from {joined(said[place + 1 :])} except {joined(said[2:place])}"
+
+
+_COVERS: Final = ("plates", "forks", "knives", "glasses")
+"""What a table is laid with for each person."""
+
+
+def _table_laid(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``there should be four plates, four forks, ... on the table`` for ``lay the table for four``."""
+    said = _said(clauses[at], words)
+    persons = next((k for k in range(2, len(said) - 1) if said[k].text == "for" and said[k + 1].tag == "number"), 0)
+    laying = clauses[at].form == "order" and said[0].verb in ("lay", "set") and said[1].text in ("the", "our", "my")
+    colon = clauses[at].end < len(words) and words[clauses[at].end].text in (":", "-")
+    table = end_of_noun_group(said, 1)
+    if not (laying and persons) or colon or singular(said[table - 1].text) != "table" or said[table - 1].text == "tables":
+        return None
+    after = persons + 2 + (persons + 2 < len(said) and said[persons + 2].text in ("people", "persons", "guests"))
+    if any(word.tag != "preposition" for word in said[after : after + 1]) or names_something(said[after:], lexicon) and not (
+        said[after].text in ("in", "at")
+    ):
+        return None
+    number = said[persons + 1].text
+    covers = [f"{number} {cover}" if number not in ("one", "1") else f"one {singular(cover)}" for cover in _COVERS]
+    where = joined([*said[1:persons], *said[after:]])
+    return at + 1, f"there should be {', '.join(covers[:-1])} and {covers[-1]} on {where}"
+
+
+_SURFACES: Final = {"floor": "floor", "wall": "walls", "ceiling": "ceiling"}
+
+
+def _given_finishes(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``make the floor of the hall wooden and paint the walls white`` for ``give the hall a wooden floor ...``."""
+    said = _said(clauses[at], words)
+    end = end_of_noun_group(said, 1)
+    if clauses[at].form != "order" or said[0].verb != "give" or not _is_room(said[1:end], lexicon):
+        return None
+    out: list[str] = []
+    start = end
+    while start < len(said):
+        stop = next((k for k in range(start, len(said)) if singular(said[k].text) in _SURFACES), 0)
+        look = [word for word in said[start:stop] if word.tag not in ("determiner", "joint", "mark")]
+        if not stop or not look:
+            return None
+        part = _SURFACES[singular(said[stop].text)]
+        room = joined(said[1:end])
+        colour = part == "walls" or look[-1].text in COLOUR_WORDS
+        way = f"paint the {part} of {room} {joined(look)}" if colour else f"change the {part} of {room} to {joined(look)}"
+        out.append(way)
+        start = stop + 1
+    return (at + 1, " and ".join(out)) if out else None
 
 
 def _spread(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
@@ -440,8 +520,8 @@ _VALUES: Final = {
         "seventeen eighteen nineteen twenty".split()
     )
 }
-_MISREAD: Final[tuple[_Rule, ...]] = (_none_on, _swapped_with_companions)
+_MISREAD: Final[tuple[_Rule, ...]] = (_none_on, _table_laid, _swapped_with_companions)
 _RULES: Final[tuple[_Rule, ...]] = (
     _carried, _swapped_with_companions, _added_where_missing, _all_made_so, _exchanged, _too_many, _told_in_detail,
-    _none_on, _in_place_of_those, _spread, _contrasted, _swapped_topic, _namely, _supplied, _lined_with, _instead_of_some, _asked_of_room,
+    _none_on, _not_needed, _left_only, _table_laid, _given_finishes, _in_place_of_those, _spread, _contrasted, _swapped_topic, _namely, _supplied, _lined_with, _instead_of_some, _asked_of_room,
 )  # fmt: skip

@@ -225,9 +225,10 @@ def is_person(words: Sequence[TaggedWord]) -> bool:
 
 def names_something(words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:
     """Whether words name a thing of the catalogue or a room of the building."""
-    nouns = [singular(word.text) if word.tag == "noun" and not is_person([word]) else "" for word in words]
+    nouns = [singular(word.text).removesuffix("'s").rstrip("'") if word.tag == "noun" else "" for word in words]
     spans = [tuple(nouns[at : at + count]) for count in (1, 2, 3) for at in range(len(nouns) - count + 1)]
-    spans = [span for span in spans if all(span)]
+    persons = {singular(word.text) for word in words if is_person([word])}
+    spans = [span for span in spans if all(span) and not (len(span) == 1 and span[0] in persons)]
     return any(span[0] in _SPOTS or lexicon.is_object(span) or lexicon.is_own_room(span) for span in spans)
 
 
