@@ -9,7 +9,7 @@ from mansion_editing.state import SceneState
 
 def _plainest(text: str, state: SceneState) -> str:
     found = list(main_points(text, Lexicon(state)))
-    return found[-1].text.lower() if found else ""
+    return found[0].text.lower() if found else ""
 
 
 @pytest.mark.parametrize(

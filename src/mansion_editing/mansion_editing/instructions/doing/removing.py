@@ -12,7 +12,7 @@ from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import is_fixed, is_loose, names_many
 from mansion_editing.instructions.meaning.numbers import means_one
-from mansion_editing.instructions.meaning.sparing import spared_among
+from mansion_editing.instructions.meaning.sparing import is_movable, spared_among, spares_furniture
 from mansion_editing.instructions.meaning.wording import bare_words, counted, place_in, place_words, thing_words
 from mansion_editing.instructions.statements import Clear, Place, Remove, Things
 from mansion_editing.runs.policies import Action, Outcome, Unmet, ask
@@ -155,7 +155,8 @@ def to_clear(statement: Clear, state: SceneState, context: Context) -> list[Scen
         rooms = set() if place.rooms is None else set(one_room_each(state, place.rooms, context))
         pool = [item for _, item in state.objects() if not rooms or item.room in rooms]
         there = all_at(state, pool, place, context)
-    loose = {item.id: item for item in there if is_loose(item)}
+    whole = spares_furniture(state, statement, context)
+    loose = {item.id: item for item in there if is_loose(item) or (whole and is_movable(item))}
     spared = spared_among(state, statement.spare, [*loose.values()], context) | context.kept
     holding = {item.parent for item in loose.values() if item.id in spared}
     return [item for name, item in loose.items() if name not in spared and name not in holding]

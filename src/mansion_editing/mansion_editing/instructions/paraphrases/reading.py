@@ -12,9 +12,10 @@ from mansion_editing.instructions.paraphrases.remarks import without_remarks
 from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Instruction, Keep, Mention, Rename, Rooms, Statement, Things
+from mansion_editing.instructions.statements import Add, Ensure, Instruction, Keep, Mention, Rename, Rooms, Statement, Things
 from mansion_editing.instructions.syntax.arrows import without_arrows
 from mansion_editing.instructions.syntax.main_points import MainPoints, main_points
+from mansion_editing.instructions.syntax.pairs import without_misread_pairs
 from mansion_editing.state import SceneState
 
 __all__ = ["read_in_other_words", "reworded"]
@@ -24,6 +25,7 @@ _MOST_READINGS = 20
 """How often one instruction is read."""
 _MIDDLE_OF_IT: Final = re.compile(r"\b(middle|centre|center|corner) of it\b", re.IGNORECASE)
 """What only a room is meant by, which the clause before names."""
+_SOME_ALREADY: Final = re.compile(r"\balready\b", re.IGNORECASE)
 _WONDERING: Final = re.compile(r"(who|why|how come|what on earth)\b", re.IGNORECASE)
 """Words that begin a question which nobody wants answered."""
 _CORRECTION: Final = re.compile(
@@ -45,11 +47,11 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         With `read_as` where it was put in other words, and a passed-over `Mention` of each clause that was left out;
         where no wording is understood, what was read of the instruction's own.
     """
-    plainly = without_idioms(text)
+    lexicon = Lexicon(state)
+    plainly = without_misread_pairs(without_idioms(text), lexicon)
     first = read_instruction(plainly, state, brief)
     if plainly != text:
         first, text = msgspec.structs.replace(first, read_as=plainly), plainly
-    lexicon = Lexicon(state)
     if first.undecided:
         return first
     points = tuple(main_points(in_running_text(text), lexicon))
@@ -63,9 +65,11 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
             continue
         read = read_instruction(said.text, state, brief)
         doubtful = bool(said.remarks) and (_only_keeps(read) or _may_ask(said, state, brief))
+        doubtful = doubtful or (bool(points and points[0].remarks) and not said.remarks and _lacks_antecedent(read))
         if _is_clear(read, said.text) and not doubtful:
             left = [Mention(quote=remark, passed_over=True) for remark in said.remarks]
-            found = msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=said.text)
+            asked = _counting_those_there(read.statements, said.remarks)
+            found = msgspec.structs.replace(read, statements=[*asked, *left], read_as=said.text)
             if said.remarks or not _acts_on(points, found):
                 return found
             clear = found
@@ -113,6 +117,25 @@ def _is_clear(read: Instruction, text: str) -> bool:
     return not (bare and isinstance(read.statements[0], Mention))
 
 
+def _counting_those_there(statements: Sequence[Statement], remarks: Sequence[str]) -> list[Statement]:
+    """Return ``put a lamp on each desk`` as a lamp being on each, where a remark says that some have one already."""
+    if not any(_SOME_ALREADY.search(remark) for remark in remarks):
+        return list(statements)
+    return [
+        Ensure(things=one.things, place=one.place, each=True, quote=one.quote)
+        if isinstance(one, Add) and one.each and one.things.amount.kind == "some"
+        else one
+        for one in statements
+    ]
+
+
+def _lacks_antecedent(read: Instruction) -> bool:
+    """Whether the first thing that is asked for is only ``them``, which the clause that is left out named."""
+    asked = next((one for one in read.statements if not isinstance(one, Mention)), None)
+    things = getattr(asked, "things", None)
+    return isinstance(things, Things) and things.refers == "last" and not things.noun
+
+
 def _is_at_bare_number(statement: Statement) -> bool:
     """Whether a statement is about things in ``2``, the number of a room that was only told of."""
     things = getattr(statement, "things", None)
@@ -134,7 +157,8 @@ def _taken_back(read: Instruction, text: str) -> str:
 
 def reworded(text: str, lexicon: Lexicon) -> str:
     """Return a text in the plain words of what it asks for."""
-    return with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
+    plain = with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
+    return without_misread_pairs(plain, lexicon)
 
 
 def _wordings(

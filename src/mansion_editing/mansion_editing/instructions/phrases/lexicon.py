@@ -254,9 +254,18 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
             yield name
             if len(name) > 1 and name[-1].isdecimal():
                 yield name[:-1]
+            if len(name) > 1 and name[-1:] in _kinds_of_rooms(state.catalogue) and name[-1] in _PLAIN_KINDS:
+                yield name[-1:]  # "the kitchen" of an eat-in kitchen
             if "and" in name[1:-1]:
                 joint = name.index("and")
                 yield from (name[:joint], name[joint + 1 :])  # the kitchen of "Kitchen and living room"
+
+
+_PLAIN_KINDS = frozenset(
+    "kitchen bathroom bedroom closet library kitchenette lobby corridor hallway gallery garage terrace nursery "
+    "workshop classroom laundry pantry attic basement cellar canteen cafeteria restaurant".split()
+)
+"""Words that tell by themselves what a room is."""
 
 
 def _names_of_kind(room_type: str) -> frozenset[tuple[str, ...]]:

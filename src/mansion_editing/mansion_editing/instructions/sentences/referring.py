@@ -193,7 +193,8 @@ class Referring(Progress):
             if isinstance(value, Rooms) and value.same and not value.words and rooms:
                 return rooms
             if isinstance(value, Things) and value.refers == "last" and not value.noun:
-                if value.amount.number and value.amount.kind == "some" and topic.amount.kind != "all":
+                told_whole = topic.amount.kind == "all" and (topic.each or value.amount.number == topic.amount.number)
+                if value.amount.number and value.amount.kind == "some" and not told_whole:
                     several = value.amount.number > 1
                     return msgspec.structs.replace(topic, amount=value.amount, plural=several, definite=False)
                 if value.amount.kind in ("all_but", "half"):

@@ -28,7 +28,7 @@ _PRONOUNS: Final = frozenset("it them they this that these those both".split())
 _THAT: Final = frozenset("that this the those these".split())
 _ONES: Final = frozenset(["one", "ones"])
 _HITHER: Final = frozenset("in over across along".split())
-_ALSO: Final = frozenset("too also well".split())
+_ALSO: Final = frozenset("too also well likewise ditto".split())
 _CORRECTING: Final = frozenset("no nope sorry wait oops correction scratch forget rather actually".split())
 _PARTS_OF_ROOMS: Final = frozenset("door wall window corner floor ceiling middle entrance".split())
 _WAYS: Final = frozenset(["into", "onto", "to"])
@@ -73,7 +73,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     clauses, words = _wished(clauses_of(words), words)
     told = [only_tells(clause, words, lexicon) for clause in clauses]
     told = [
-        (tells and not (_is_listed(clauses, words, number, lexicon) or _asks_opinion(clauses, words, number)))
+        (tells and not (_goes_on_wishing(clauses, words, number) or _is_listed(clauses, words, number, lexicon) or _asks_opinion(clauses, words, number)))
         or _is_topic(clauses, words, number)
         or _is_counted_before(clauses, words, number)
         or _repeats_swap(clauses, words, number)
@@ -505,6 +505,16 @@ def _is_met_next(clauses: Sequence[Clause], words: Sequence[TaggedWord], number:
     needed = [word for word in words[clause.verb : clause.end] if word.tag not in ("adverb", "verb")]
     vague = len(needed) == 2 and all(word.text in _VAGUELY for word in needed)
     return adding and vague and words[clause.verb].verb in ("need", "want", "require", "lack")
+
+
+def _goes_on_wishing(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:
+    """Whether a clause lists more of what the one before needs: ``..., a mug for her and the rack opened``."""
+    clause = clauses[number]
+    before = clauses[number - 1] if number else None
+    if before is None or before.sentence != clause.sentence or clause.after != ",":
+        return False
+    wishing = any(word.verb in ("need", "want", "require") for word in words[before.start : before.end])
+    return wishing and words[clause.start].text in ("a", "an", "two", "three", "some", "one")
 
 
 def _is_heading(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int, lexicon: Lexicon) -> bool:

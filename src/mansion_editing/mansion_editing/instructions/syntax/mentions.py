@@ -135,6 +135,8 @@ def _said_again(words: Sequence[TaggedWord], text: str) -> str:
     """Return a noun group with ``the``, or as it stands where it is definite already."""
     first = words[0]
     text = f"{text[: first.start]}{text[first.start].lower()}{text[first.start + 1 :]}" if first.tag != "noun" else text
+    if first.text in ("whose", "which", "what"):
+        return f"the {text_of(words[1:], text)}"  # "whose boots are in the hall?"
     if first.tag == "possessive" or first.text in ("the", "these", "those", "both", "all", "this", "that", "every"):
         return text_of(words, text)
     numbered = first.tag == "noun" and words[-1].tag == "number"  # "room 4"

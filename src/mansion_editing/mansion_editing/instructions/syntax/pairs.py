@@ -1,6 +1,7 @@
 """Clauses that ask for one thing together, put as one order: ``wheel it out of the hall and park it in the shed``."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Final, TypeAlias
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
@@ -9,12 +10,14 @@ from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.requests import names_something
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
-from mansion_language.inflection import singular
+from mansion_language.colours import COLOUR_WORDS
+from mansion_language.inflection import plural, singular
 
-__all__ = ["with_pairs_joined"]
+__all__ = ["with_pairs_joined", "without_misread_pairs"]
 
 _Joined: TypeAlias = tuple[int, str] | None
 """The number of the clause after those that are put as one order, and the order."""
+_Rule: TypeAlias = Callable[[Sequence[Clause], int, Sequence[TaggedWord], Lexicon], "tuple[int, str] | None"]
 _OUT: Final = (["out", "of"], ["off"], ["from"], ["down", "from"], ["out", "from"], ["off", "of"])
 _IT: Final = frozenset(["it", "them", "those", "that", "these"])
 _SETTING: Final = frozenset(["add", "bring", "move", "set", "take", "leave"])
@@ -33,12 +36,26 @@ def with_pairs_joined(text: str, lexicon: Lexicon) -> str:
     text : str
         In running text, without contractions.
     """
+    return _joined_by(_RULES, text, lexicon)
+
+
+def without_misread_pairs(text: str, lexicon: Lexicon) -> str:
+    """Return a text with those clauses put as one order that would ask for something else if they were read alone.
+
+    Examples
+    --------
+    ``No lights on upstairs`` does not take lights away.
+    """
+    return _joined_by(_MISREAD, text, lexicon)
+
+
+def _joined_by(rules: Sequence[_Rule], text: str, lexicon: Lexicon) -> str:
     words = tagged(text, lexicon)
     clauses = clauses_of(words)
     out: list[str] = []
     at = end = 0
     while at < len(clauses):
-        found = next((pair for rule in _RULES if (pair := rule(clauses, at, words, lexicon)) is not None), None)
+        found = next((pair for rule in rules if (pair := rule(clauses, at, words, lexicon)) is not None), None)
         if found is None:
             at += 1
             continue
@@ -223,6 +240,211 @@ def _is_room(words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:
     return lexicon.is_own_room(tuple(singular(word.text) for word in named))
 
 
+_RUNNING: Final = frozenset("run burn glow shine be".split())
+
+
+def _contrasted(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``the lamps should be on and the pendants should be off`` for ``the lamps should burn, the pendants not``."""
+    if clauses[at].form != "statement":
+        return None
+    told = _said(clauses[at], words)
+    comma = next((k for k in range(len(told) - 1, 2, -1) if told[k].text == ","), 0)
+    within = told[-1].text == "not" and comma > 0
+    if within:
+        told, other = told[:comma], told[comma + 1 :]
+    elif at + 1 < len(clauses) and clauses[at + 1].form == "fragment":
+        other = _said(clauses[at + 1], words)
+    else:
+        return None
+    modal = next((k for k in range(1, len(told) - 1) if told[k].text in ("should", "must", "shall")), 0)
+    running = bool(modal) and (told[modal + 1].verb in _RUNNING - {"be"} or _texts(told[modal + 1 : modal + 3]) == ["be", "on"])
+    if not running or other[-1].text != "not" or not any(word.tag == "noun" for word in other):
+        return None
+    return at + 2 - within, f"{joined(told[:modal])} should be on and {joined(other[:-1])} should be off"
+
+
+_ON: Final = frozenset("on running burning lit".split())
+
+
+def _none_on(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``turn off all lights upstairs`` for ``no light on upstairs``, which takes none away."""
+    said = _said(clauses[at], words)
+    if _texts(said[:1]) == ["nothing"] and _texts(said[1:4]) in (["should", "be", "on"], ["must", "be", "on"]):
+        return at + 1, f"turn off everything {joined(said[4:])}".strip()
+    start = next((k for k, word in enumerate(said) if word.text == "no"), -1)
+    end = end_of_noun_group(said, start + 1) if start >= 0 else 0
+    told = start == 0 or _texts(said[:start]) in (["there", "should", "be"], ["there", "must", "be"])
+    if not told or end <= start + 1 or end >= len(said) or said[end].text not in _ON:
+        return None
+    following = said[end + 1] if end + 1 < len(said) else None
+    placed = following is not None and following.tag not in ("preposition", "adverb", "adjective", "mark", "joint")
+    noun = tuple(singular(word.text) for word in said[start + 1 : end] if word.tag == "noun")
+    if placed or not (lexicon.takes_state(noun, "on") or lexicon.gives_light(noun)):
+        return None
+    last = said[end - 1]
+    things = [*said[start + 1 : end - 1], replace(last, raw=plural(singular(last.text)))]
+    return at + 1, f"turn off all {joined(things)} {joined(said[end + 1 :])}".strip()
+
+
+def _not_needed(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``remove the second toaster`` for ``we do not need the second toaster``."""
+    said = _said(clauses[at], words)
+    texts = _texts(said)
+    denied = texts[:4] in (["we", "do", "not", "need"], ["i", "do", "not", "need"], ["we", "do", "not", "want"],
+                           ["nobody", "needs"] + texts[2:4], ["no", "one", "needs"] + texts[3:4])  # fmt: skip
+    start = 4 if texts[1:3] == ["do", "not"] else 3 if texts[:2] == ["no", "one"] else 2
+    end = end_of_noun_group(said, start)
+    definite = start < len(said) and said[start].text in ("the", "this", "that", "these", "those")
+    if not denied or not definite or not names_something(said[start:end], lexicon):
+        return None
+    stop = next((k for k in range(end, len(said)) if said[k].text in ("any", "anymore", "at", "now")), len(said))
+    if any(word.is_finite or word.tag == "to" for word in said[end:stop]):
+        return None
+    return at + 1, f"remove {joined(said[start:stop])}"
+
+
+def _left_only(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``remove everything from the hall except the bench`` for ``leave only the bench in the hall``."""
+    said = _said(clauses[at], words)
+    if clauses[at].form != "order" or _texts(said[:2]) not in (["leave", "only"], ["keep", "only"]):
+        return None
+    place = next((k for k in range(3, len(said)) if said[k].text in ("in", "on")), 0)
+    if not place or not names_something(said[place:], lexicon):
+        return None
+    return at + 1, f"remove everything from {joined(said[place + 1 :])} except {joined(said[2:place])}"
+
+
+_COVERS: Final = ("plates", "forks", "knives", "glasses")
+"""What a table is laid with for each person."""
+
+
+def _table_laid(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``there should be four plates, four forks, ... on the table`` for ``lay the table for four``."""
+    said = _said(clauses[at], words)
+    persons = next((k for k in range(2, len(said) - 1) if said[k].text == "for" and said[k + 1].tag == "number"), 0)
+    laying = clauses[at].form == "order" and said[0].verb in ("lay", "set") and said[1].text in ("the", "our", "my")
+    colon = clauses[at].end < len(words) and words[clauses[at].end].text in (":", "-")
+    table = end_of_noun_group(said, 1)
+    if not (laying and persons) or colon or singular(said[table - 1].text) != "table" or said[table - 1].text == "tables":
+        return None
+    after = persons + 2 + (persons + 2 < len(said) and said[persons + 2].text in ("people", "persons", "guests"))
+    if any(word.tag != "preposition" for word in said[after : after + 1]) or names_something(said[after:], lexicon) and not (
+        said[after].text in ("in", "at")
+    ):
+        return None
+    number = said[persons + 1].text
+    covers = [f"{number} {cover}" if number not in ("one", "1") else f"one {singular(cover)}" for cover in _COVERS]
+    where = joined([*said[1:persons], *said[after:]])
+    return at + 1, f"there should be {', '.join(covers[:-1])} and {covers[-1]} on {where}"
+
+
+_SURFACES: Final = {"floor": "floor", "wall": "walls", "ceiling": "ceiling"}
+
+
+def _given_finishes(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``make the floor of the hall wooden and paint the walls white`` for ``give the hall a wooden floor ...``."""
+    said = _said(clauses[at], words)
+    end = end_of_noun_group(said, 1)
+    if clauses[at].form != "order" or said[0].verb != "give" or not _is_room(said[1:end], lexicon):
+        return None
+    out: list[str] = []
+    start = end
+    while start < len(said):
+        stop = next((k for k in range(start, len(said)) if singular(said[k].text) in _SURFACES), 0)
+        look = [word for word in said[start:stop] if word.tag not in ("determiner", "joint", "mark")]
+        if not stop or not look:
+            return None
+        part = _SURFACES[singular(said[stop].text)]
+        room = joined(said[1:end])
+        colour = part == "walls" or look[-1].text in COLOUR_WORDS
+        way = f"paint the {part} of {room} {joined(look)}" if colour else f"change the {part} of {room} to {joined(look)}"
+        out.append(way)
+        start = stop + 1
+    return (at + 1, " and ".join(out)) if out else None
+
+
+def _spread(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``put five bears on the tables`` for ``five bears, spread over the tables``."""
+    if at + 1 >= len(clauses) or clauses[at].form != "fragment" or clauses[at + 1].after != ",":
+        return None
+    new, order = (_said(clause, words) for clause in clauses[at : at + 2])
+    over = order[0].text in ("spread", "scattered", "distributed") and order[1:2] and order[1].text in _OVER
+    if not over or not names_something(new, lexicon) or new[0].tag not in ("number", "determiner", "noun", "adjective"):
+        return None
+    return at + 2, f"put {joined(new)} on {joined(order[2:])}"
+
+
+_OVER: Final = frozenset("over across on among around".split())
+
+
+def _in_place_of_those(
+    clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon
+) -> _Joined:
+    """Leave out ``in their place:`` before what comes instead of what goes by the clause before."""
+    texts = _texts(_said(clauses[at], words))
+    said = texts in (["in", "their", "place"], ["in", "its", "place"], ["in", "their", "stead"])
+    if not said or at + 1 >= len(clauses) or not at:
+        return None
+    following = _spread(clauses, at + 1, words, lexicon)
+    if following is not None:
+        return following
+    return at + 2, f"add {joined(_said(clauses[at + 1], words))}" if clauses[at + 1].form == "fragment" else ""
+
+
+def _swapped_topic(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``swap the red vase with the clock`` for ``red vase: swap places with the clock``."""
+    if at + 1 >= len(clauses) or clauses[at].form != "fragment" or clauses[at + 1].form != "order":
+        return None
+    topic, order = (_said(clause, words) for clause in clauses[at : at + 2])
+    texts = _texts(order)
+    colon = words[clauses[at].end].text in (":", "-")
+    if not colon or texts[:3] not in ([verb, "places", "with"] for verb in ("swap", "change", "exchange", "trade")):
+        return None
+    return at + 2, f"swap {_definite(topic)} with {joined(order[3:])}"
+
+
+def _namely(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``remove the tables and the plant from the hall`` for ``remove the old stuff from the hall, i.e. ...``."""
+    if at + 1 >= len(clauses) or clauses[at].form != "order":
+        return None
+    order, listed = (_said(clause, words) for clause in clauses[at : at + 2])
+    if _texts(listed[:2]) != ["that", "is"] or len(listed) < 3:
+        return None
+    if listed[2].form == "base":
+        return at + 2, joined(listed[2:])
+    end = end_of_noun_group(order, 1)
+    return (at + 2, f"{order[0].raw} {joined(listed[2:])} {joined(order[end:])}".strip()) if end > 1 else None
+
+
+def _supplied(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``put a guitar on the stand in the hall`` for ``there is a stand in the hall but no guitar. Fix that.``."""
+    for last in range(at + 1, min(at + 3, len(clauses))):
+        order = _said(clauses[last], words)
+        fixing = order[0].verb in ("fix", "change", "sort", "remedy", "mend", "correct") and len(order) <= 3
+        if not (fixing and order[1:2] and order[1].text in ("that", "it", "this")):
+            continue
+        said = [*words[clauses[at].start : clauses[last - 1].end]]
+        texts = _texts(said)
+        but = next((k for k in range(3, len(said) - 1) if texts[k] == "but" and texts[k + 1] == "no"), 0)
+        if texts[:1] != ["there"] or not but or said[1].tag != "be":
+            return None
+        missing = [word for word in said[but + 2 :] if word.text not in ("there", "on", "it", "in")]
+        holder = end_of_noun_group(said, 2)
+        noun = tuple(singular(word.text) for word in said[2:holder] if word.tag == "noun")
+        if not missing or holder == 2 or not noun:
+            return None
+        where = "on" if lexicon.carries(noun) else "beside"
+        named = [word for word in said[2:but] if word.text not in ("a", "an", ",")]
+        return last + 1, f"put {_a(missing)} {where} the {joined(named)}"
+    return None
+
+
+def _a(words: Sequence[TaggedWord]) -> str:
+    several = singular(words[-1].text) != words[-1].text
+    article = "" if several else "an " if words[0].text[:1] in tuple("aeiou") else "a "
+    return f"{article}{joined(words)}"
+
+
 def _too_many(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
     """Put ``there should be exactly six chairs in the hall`` for ``eight chairs in the hall are too many, leave six``."""
     heading = clauses[at].form == "fragment" and names_something(_said(clauses[at], words), lexicon)
@@ -298,7 +520,8 @@ _VALUES: Final = {
         "seventeen eighteen nineteen twenty".split()
     )
 }
-_RULES: Final[tuple[Callable[[Sequence[Clause], int, Sequence[TaggedWord], Lexicon], _Joined], ...]] = (
+_MISREAD: Final[tuple[_Rule, ...]] = (_none_on, _table_laid, _swapped_with_companions)
+_RULES: Final[tuple[_Rule, ...]] = (
     _carried, _swapped_with_companions, _added_where_missing, _all_made_so, _exchanged, _too_many, _told_in_detail,
-    _lined_with, _instead_of_some, _asked_of_room,
+    _none_on, _not_needed, _left_only, _table_laid, _given_finishes, _in_place_of_those, _spread, _contrasted, _swapped_topic, _namely, _supplied, _lined_with, _instead_of_some, _asked_of_room,
 )  # fmt: skip

@@ -44,7 +44,7 @@ _WAYS: Final = frozenset("into onto to".split())
 def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
-        _without_edges, _with_place_after, _as_painted, _as_new, _with_lid_closed, _without_added_clause, _with_companions, _without_comparison, without_simile, without_load,
+        _without_edges, _with_place_after, _as_caused, _as_running, _as_painted, _as_new, _with_lid_closed, _without_added_clause, _with_companions, _without_comparison, without_simile, without_load,
         with_one_for_each, without_alternatives, with_colour_first, with_lamp_of_ceiling, _as_removed, _with_share, _with_part_after,
         _with_replaced_after, _as_going, _as_obliged, with_wished_colour, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
         _as_turned, _without_purpose, _with_plain_verb,
@@ -228,6 +228,37 @@ def _with_lid_closed(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
         return words
     rest = [word for word in words[1:] if word.text != "down"]
     return [replace(words[0], text="close", raw="close", verb="close"), *rest]
+
+
+_RUNNING: Final = frozenset("run burn glow shine work hum".split())
+
+
+_HENCE: Final = frozenset("therefore thus hence consequently".split())
+
+
+def _as_caused(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``the desk should face the door`` for ``have the desk face the door``."""
+    words = [word for word in words if word.text not in _HENCE] if len(words) > 3 else words
+    end = end_of_noun_group(words, 1)
+    causing = words[0].text in ("have", "let", "get") and 1 < end < len(words) - 1
+    if not causing or words[1].text not in _KNOWN or words[end].verb not in ("face", "look", "stand", "lie", "hang"):
+        return words
+    should = replace(words[0], text="should", raw="should", tag="modal", verb="", form="")
+    return [*words[1:end], should, *words[end:]]
+
+
+def _as_running(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``the lamps should be on`` for ``the lamps should burn``, and ``off`` for what shall not."""
+    modal = next((k for k in range(1, len(words) - 1) if words[k].text in ("must", "should", "shall", "can", "may")), 0)
+    verb = modal + 1 + (words[modal + 1].tag == "not") if modal else 0
+    if not verb or verb >= len(words) or words[verb].verb not in _RUNNING or words[0].tag in ("somebody", "verb"):
+        return words
+    if names_something(words[verb:], lexicon) or any(word.tag == "not" for word in words[verb:]):
+        return words
+    should = replace(words[modal], text="should", raw="should")
+    state = "off" if words[modal + 1].tag == "not" else "on"
+    on = replace(words[verb], text=state, raw=state, tag="adverb", verb="", form="")
+    return [*words[:modal], should, replace(should, text="be", raw="be", tag="be"), on]
 
 
 def _as_painted(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:

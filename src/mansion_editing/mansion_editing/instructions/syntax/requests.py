@@ -51,6 +51,7 @@ _MEANT_AGAIN: Final = frozenset(
     "content one ones door window wall".split()
 )
 """Words of subjects that mean things without their name."""
+_SWITCHED: Final = frozenset("on off open closed shut lit".split())
 _FINE: Final = frozenset("right correct fine ok okay alright good".split())
 _WHOLES_OF: Final = frozenset("everything all whatever".split())
 _DENYING: Final = frozenset(["not", "no", "never"])
@@ -149,6 +150,8 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     if verb.tag == "modal" and any(word.tag == "number" for word in subject):
         return True
     able = {"able", "reach", "get"} & {*texts}
+    if verb.text in _OBLIGING and {*texts[1:]} & _SWITCHED and not is_person(subject):
+        return True  # whatever it is: "the pendants should be off"
     if verb.text in _OBLIGING or (verb.tag in ("be", "have") and _is_to(rest)) or texts[:2] in _NEEDING:
         return not somebody or aimed or bool(able)
     if any(word.form == "gerund" and (word.verb,) in BY_WORDS for word in rest) and main.verb == "need":
@@ -222,9 +225,10 @@ def is_person(words: Sequence[TaggedWord]) -> bool:
 
 def names_something(words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:
     """Whether words name a thing of the catalogue or a room of the building."""
-    nouns = [singular(word.text) if word.tag == "noun" and not is_person([word]) else "" for word in words]
+    nouns = [singular(word.text).removesuffix("'s").rstrip("'") if word.tag == "noun" else "" for word in words]
     spans = [tuple(nouns[at : at + count]) for count in (1, 2, 3) for at in range(len(nouns) - count + 1)]
-    spans = [span for span in spans if all(span)]
+    persons = {singular(word.text) for word in words if is_person([word])}
+    spans = [span for span in spans if all(span) and not (len(span) == 1 and span[0] in persons)]
     return any(span[0] in _SPOTS or lexicon.is_object(span) or lexicon.is_own_room(span) for span in spans)
 
 

@@ -92,6 +92,7 @@ _ADVERBS: Final = frozenset(
     "barely hardly soon later kindly actually basically honestly anyway however though well else as so far yet never "
     "once twice not-so please possibly currently about".split()
 )
+_BEFORE_LIGHT: Final = frozenset("more some enough the no a any every each one single all".split())
 _BETWEEN: Final = frozenset("all both also never always just even still only often really".split())
 """Words between a pronoun and its verb."""
 _AFTER_PRONOUNS: Final = frozenset("mark preposition be adverb".split())
@@ -201,7 +202,7 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
         return replace(word, tag="adverb")
     if word.text in ("upstairs", "downstairs") and before is not None and before.tag == "determiner":
         return replace(word, tag="adjective" if after is not None and after.tag in ("noun", "adjective") else "adverb")
-    if word.text == "light" and before is not None and before.text in ("more", "some", "enough", "the"):
+    if word.text == "light" and before is not None and before.text in _BEFORE_LIGHT:
         named = after is not None and after.tag in ("noun", "adjective")
         return word if named else replace(word, tag="noun")
     opens_phrase = after is not None and after.tag in ("noun", "adjective", "number")
