@@ -57,7 +57,8 @@ class ReadPlace:
 
 _ON: Final = ("on", "onto", "atop")
 _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
-    (("on", "top", "of"), "on"), (("on", "the", "top", "of"), "on"), (("on", "to"), "on"), (("in", "to"), "in"), (("inside", "of"), "in"),
+    (("on", "top", "of"), "on"), (("on", "the", "top", "of"), "on"), (("on", "to"), "on"),
+    (("in", "to"), "in"), (("inside", "of"), "in"),
     (("in", "front", "of"), "front"), (("on", "either", "side", "of"), "around"),
     (("on", "both", "side", "of"), "around"),
     (("to", "the", "left", "and", "right", "of"), "around"), (("on", "the", "left", "and", "right", "of"), "around"),
@@ -276,7 +277,7 @@ def _after_preposition(
 def _on_floor(
     words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]
 ) -> tuple[Place, int, bool] | None:
-    """Read ``the floor``, ``the floor of the hall``, ``the kitchen floor``: a place, its end, and whether each is meant."""
+    """Read ``the floor of the hall``, ``the kitchen floor``: a place, its end, and whether each is meant."""
     if text_at(words, at) != "the":
         return None
     if text_at(words, at + 1) == "floor":
@@ -296,7 +297,8 @@ def _ordinal_alone(words: Sequence[Word], at: int) -> int:
     """Return which one ``the first``, without a noun, means; 0 for other words."""
     if text_at(words, at) != "the" or at + 1 >= len(words) or words[at + 1].kind != "ordinal":
         return 0
-    ends = at + 2 >= len(words) or words[at + 2].kind == "mark" or words[at + 2].text in PREPOSITIONS | {"and", "please"}
+    following = text_at(words, at + 2)
+    ends = not following or words[at + 2].kind == "mark" or following in PREPOSITIONS | {"and", "please"}
     return int(words[at + 1].value) if ends else 0
 
 

@@ -134,7 +134,8 @@ def _going_along(words: list[TaggedWord], at: int) -> list[TaggedWord] | None:
     if not along or words[start].text not in ("the", "all"):
         return None
     own = "its" if said[3] == "it" else "their"
-    return [*words[:start], replace(words[start], text=own, raw=own, tag="possessive"), *words[start + 1 : at], *words[at + 4 :]]
+    possessive = replace(words[start], text=own, raw=own, tag="possessive")
+    return [*words[:start], possessive, *words[start + 1 : at], *words[at + 4 :]]
 
 
 def _is_please(words: Sequence[TaggedWord], at: int) -> bool:
