@@ -57,9 +57,8 @@ class ListedItems(PlacedItems):
                 if found:
                     return found
                 raise NotUnderstood(at, self.boundary(at))
-            instead = (self.text(item.end), self.text(item.end + 2)) == ("in", "place") and not item.phrase.definite
-            if found and instead and self.words[item.end + 1].raw in ("its", "their"):
-                return found
+            if found and not item.phrase.definite and any(p.place.former is not None for p in item.places):
+                return found  # "remove the fridge, two plants in its place"
             placed = self._participle(item.phrase.end)
             new = placed is not None and placed[0] == "add" and not item.phrase.definite
             if found and (self._is_way(item.phrase) or new):
