@@ -25,6 +25,7 @@ from mansion_editing.instructions.meaning.numbers import (
 from mansion_editing.instructions.meaning.targets import Target, places_of
 from mansion_editing.instructions.meaning.vacated import vacated_by
 from mansion_editing.instructions.meaning.wording import (
+    at_words,
     bare_words,
     counted,
     place_in,
