@@ -12,7 +12,7 @@ from mansion_editing.instructions.paraphrases.remarks import without_remarks
 from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Add, Ensure, Instruction, Keep, Mention, Rename, Rooms, Statement, Things
+from mansion_editing.instructions.statements import Add, Ensure, Instruction, Keep, Mention, Move, Place, Rename, Rooms, Statement, Things
 from mansion_editing.instructions.syntax.arrows import without_arrows
 from mansion_editing.instructions.syntax.main_points import MainPoints, main_points
 from mansion_editing.instructions.syntax.pairs import without_misread_pairs
@@ -26,6 +26,8 @@ _MOST_READINGS = 20
 _MIDDLE_OF_IT: Final = re.compile(r"\b(middle|centre|center|corner) of it\b", re.IGNORECASE)
 """What only a room is meant by, which the clause before names."""
 _SOME_ALREADY: Final = re.compile(r"\balready\b", re.IGNORECASE)
+_FIXING: Final = re.compile(r"(fix|sort|change|mend) (that|it|this)\b", re.IGNORECASE)
+"""What is to be put right, which the clause before tells."""
 _WONDERING: Final = re.compile(r"(who|why|how come|what on earth)\b", re.IGNORECASE)
 """Words that begin a question which nobody wants answered."""
 _CORRECTION: Final = re.compile(
@@ -109,6 +111,8 @@ def _is_clear(read: Instruction, text: str) -> bool:
         return False
     if any(isinstance(one, Rename) and one.room == Rooms() for one in read.statements):
         return False  # "their room"
+    if any(isinstance(one, Move) and one.place == Place() and _FIXING.match(one.quote) for one in read.statements):
+        return False
     if any(_is_at_bare_number(one) for one in read.statements) or _MIDDLE_OF_IT.search(text):
         return False
     asked = next((one for one in read.statements if not isinstance(one, Mention)), None)

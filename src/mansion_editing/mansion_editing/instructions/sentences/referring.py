@@ -186,6 +186,11 @@ class Referring(Progress):
                 value = msgspec.structs.replace(value, place=topic.place)
             if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
                 where = named(value.place)
+                counted = value.things.amount.kind == "some" and value.things.amount.number > 0
+                if topic.amount.kind in ("all", "none") and counted and not value.things.definite:  # "no towels here"
+                    several = value.things.amount.number > 1
+                    new = msgspec.structs.replace(topic, amount=value.things.amount, plural=several, place=None)
+                    return Add(things=new, place=where, quote=value.quote)
                 if topic.amount.kind == "more":  # told to be missing
                     where = where if where.rooms or rooms is None else msgspec.structs.replace(where, rooms=rooms)
                     return Add(things=msgspec.structs.replace(topic, place=None), place=where, quote=value.quote)

@@ -201,7 +201,7 @@ def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
     following = words[at + 1] if at + 1 < len(words) else None
     if word.tag == "verb" and word.form == "base":
         return "order", at, at
-    if word.tag == "do" and following is not None and following.tag == "not":
+    if word.tag == "do" and following is not None and (following.tag == "not" or following.form == "base"):
         return "order", at, at
     if word.tag == "subordinator" and word.text in _CONDITIONS:
         verb = next((k for k in range(at + 1, min(len(words), at + 12)) if words[k].is_finite), None)

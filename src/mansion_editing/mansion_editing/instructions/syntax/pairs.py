@@ -1,5 +1,6 @@
 """Clauses that ask for one thing together, put as one order: ``wheel it out of the hall and park it in the shed``."""
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Final, TypeAlias
@@ -306,6 +307,11 @@ def _not_needed(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord],
 def _left_only(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
     """Put ``remove everything from the hall except the bench`` for ``leave only the bench in the hall``."""
     said = _said(clauses[at], words)
+    stays = next((k for k in range(2, len(said) - 1) if said[k].verb in ("stay", "remain")), 0)
+    if said[0].text == "only" and stays and said[stays - 1].tag == "modal" and said[stays + 1].text in ("in", "on"):
+        where = joined(said[stays + 2 :])
+        named = names_something(said[stays + 2 :], lexicon) and names_something(said[1 : stays - 1], lexicon)
+        return (at + 1, f"remove everything from {where} except {joined(said[1 : stays - 1])}") if named else None
     if clauses[at].form != "order" or _texts(said[:2]) not in (["leave", "only"], ["keep", "only"]):
         return None
     place = next((k for k in range(3, len(said)) if said[k].text in ("in", "on")), 0)
@@ -316,6 +322,58 @@ def _left_only(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], 
 
 _COVERS: Final = ("plates", "forks", "knives", "glasses")
 """What a table is laid with for each person."""
+
+
+_NAME: Final = r"[A-Z][\w' -]*?"
+_RENAMED: Final = re.compile(
+    rf"rename (.+?) (\d+)(?: ?(?:to|-) ?)(\d+) (?:to |as |into )?({_NAME}(?:, {_NAME})+(?:,? and {_NAME})?)"
+    r"(?:,? (?:in that order|in this order|respectively))?$"
+)
+
+
+def _renamed_in_turn(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``rename room 1 to North and rename room 2 to South`` for ``rename rooms 1 to 2 North, South``."""
+    if words[clauses[at].start].text != "rename":
+        return None
+    last = max(k for k, one in enumerate(clauses) if one.sentence == clauses[at].sentence)
+    first, *rest = words[clauses[at].start : clauses[last].end]
+    found = _RENAMED.match(joined([replace(first, raw="rename"), *rest]))
+    if found is None:
+        return None
+    names = re.split(r",? and |, ", found[4])
+    numbers = range(int(found[2]), int(found[3]) + 1)
+    if len(names) != len(numbers):
+        return None
+    room = singular(found[1].split()[-1])
+    kind = " ".join([*found[1].split()[:-1], room])
+    orders = [f'rename {kind} {number} to "{name}"' for number, name in zip(numbers, names, strict=True)]
+    return last + 1, " and ".join(orders)
+
+
+def _made_of(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Put ``change the floor of hall 1 to white tile`` for ``make hall 1's floor white tile``."""
+    said = _said(clauses[at], words)
+    part = next((k for k in range(2, len(said) - 1) if singular(said[k].text) in _SURFACES), 0)
+    if clauses[at].form != "order" or said[0].verb != "make" or not part:
+        return None
+    room = joined(said[1:part])
+    owned = room.removesuffix("'s")
+    if owned == room or not lexicon.is_room(tuple(singular(w) for w in owned.lower().split() if not w.isdecimal() and w != "the")):
+        return None
+    look = [word for word in said[part + 1 :] if word.tag != "preposition"]
+    return at + 1, f"change the {_SURFACES[singular(said[part].text)]} of {owned} to {joined(look)}"
+
+
+def _kept_elsewhere(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
+    """Leave out ``upstairs leave them`` after what goes downstairs, of which nothing else goes."""
+    first = _said(clauses[at], words)
+    gone = first[0].text == "no" or BY_WORDS.get((first[0].verb,)) == "remove"
+    for last in range(at + 1, min(at + 3, len(clauses))):
+        texts = _texts(_said(clauses[last], words))
+        leaves = texts[1:3] in (["leave", "them"], ["keep", "them"]) and len(texts) < 6
+        if gone and leaves and texts[0] in ("upstairs", "downstairs", "elsewhere"):
+            return last + 1, joined(first)
+    return None
 
 
 def _table_laid(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> _Joined:
@@ -520,8 +578,8 @@ _VALUES: Final = {
         "seventeen eighteen nineteen twenty".split()
     )
 }
-_MISREAD: Final[tuple[_Rule, ...]] = (_none_on, _table_laid, _swapped_with_companions)
+_MISREAD: Final[tuple[_Rule, ...]] = (_none_on, _table_laid, _kept_elsewhere, _swapped_with_companions)
 _RULES: Final[tuple[_Rule, ...]] = (
     _carried, _swapped_with_companions, _added_where_missing, _all_made_so, _exchanged, _too_many, _told_in_detail,
-    _none_on, _not_needed, _left_only, _table_laid, _given_finishes, _in_place_of_those, _spread, _contrasted, _swapped_topic, _namely, _supplied, _lined_with, _instead_of_some, _asked_of_room,
+    _none_on, _not_needed, _left_only, _renamed_in_turn, _made_of, _table_laid, _given_finishes, _in_place_of_those, _spread, _contrasted, _swapped_topic, _namely, _supplied, _lined_with, _instead_of_some, _asked_of_room,
 )  # fmt: skip

@@ -15,6 +15,7 @@ from mansion_editing.instructions.syntax.plain_things import (
     with_lamp_of_ceiling,
     with_one_for_each,
     without_alternatives,
+    without_contrast,
     without_load,
     without_simile,
 )
@@ -44,7 +45,7 @@ _WAYS: Final = frozenset("into onto to".split())
 def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
-        _without_edges, _with_place_after, _as_caused, _as_running, _as_painted, _as_new, _with_lid_closed, _without_added_clause, _with_companions, _without_comparison, without_simile, without_load,
+        _without_edges, _with_place_after, _without_emphasis, _with_seats, _as_caused, _as_running, _as_painted, _as_new, _with_lid_closed, _without_added_clause, _with_companions, _without_comparison, without_simile, without_contrast, without_load,
         with_one_for_each, without_alternatives, with_colour_first, with_lamp_of_ceiling, _as_removed, _with_share, _with_part_after,
         _with_replaced_after, _as_going, _as_obliged, with_wished_colour, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
         _as_turned, _without_purpose, _with_plain_verb,
@@ -234,6 +235,23 @@ _RUNNING: Final = frozenset("run burn glow shine work hum".split())
 
 
 _HENCE: Final = frozenset("therefore thus hence consequently".split())
+
+
+def _without_emphasis(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``take the rug away`` for ``do take the rug away``."""
+    if words[0].tag == "do" and len(words) > 2 and words[1].form == "base":
+        words = words[1:]
+    return words
+
+
+def _with_seats(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``a dining table and six chairs`` for ``a dining table for six with chairs``."""
+    texts = [word.text for word in words]
+    at = next((k for k in range(2, len(words) - 3) if texts[k] == "for" and words[k + 1].tag == "number"), 0)
+    if not at or texts[at + 2] != "with" or singular(texts[at + 3]) not in ("chair", "stool", "seat"):
+        return words
+    joint = replace(words[at + 2], text="and", raw="and", tag="joint")
+    return [*words[: at - (texts[at - 1] == "in")], joint, words[at + 1], *words[at + 3 :]]
 
 
 def _as_caused(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:

@@ -12,10 +12,11 @@ from mansion_editing.instructions.syntax.tagged_words import TaggedWord
 from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import singular
 
-__all__ = ["with_colour_first", "with_lamp_of_ceiling", "with_one_for_each", "without_alternatives", "without_load", "without_simile"]
+__all__ = ["with_colour_first", "with_lamp_of_ceiling", "with_one_for_each", "without_alternatives", "without_contrast", "without_load", "without_simile"]
 
 _NEW: Final = frozenset("a an another some any".split())
 _ADDING: Final = frozenset(["add", "bring", "equip", "furnish", "want", "give", "set"])
+_ALL_OF_THEM: Final = frozenset("the both these those all".split())
 _WISHING: Final = frozenset("need want like have get".split())
 
 
@@ -109,7 +110,8 @@ def with_one_for_each(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedW
         return words
     place = end_of_noun_group(words, end + 1)
     rest = words[place : len(words) - 2]
-    if words[end + 1].text not in ("the", "both", "these", "those", "all") or any(w.text != "," for w in rest):
+    single = singular(words[place - 1].text) == words[place - 1].text or any(w.tag == "number" for w in words[1:end])
+    if single or words[end + 1].text not in _ALL_OF_THEM or any(word.text != "," for word in rest):
         return words
     one = replace(words[-2], text="one", raw="one", tag="number")
     noun = replace(words[end - 1], raw=singular(words[end - 1].text), text=singular(words[end - 1].text))
@@ -138,6 +140,15 @@ def without_load(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
         if moved and at:
             return [*words[:at], *words[at + len(said) :]]
     return words
+
+
+def without_contrast(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``the sofa should face the door`` for ``the sofa should face the door, not the window``."""
+    at = next((k for k in range(3, len(words) - 1) if words[k].text == "not" and words[k - 1].text == ","), 0)
+    start = at + 1 + (words[at + 1].tag == "preposition") if at else 0
+    end = end_of_noun_group(words, start) if at else 0
+    ends = end == len(words) and end > start
+    return words[: at - 1] if ends and words[start].tag in ("determiner", "possessive", "pronoun") else words
 
 
 def without_simile(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:

@@ -83,6 +83,8 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
         return False  # it may be an order: "plant ...", "opn ..."
     if clause.form == "statement" and texts[0] == "what":
         return not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
+    if clause.form == "question" and said[0].tag == "have" and len(said) > 2 and said[1].tag == "somebody":
+        return any(word.text in ("seen", "noticed", "found", "heard") for word in said)  # "has anybody seen the cat?"
     if clause.form == "question":
         idle = not (named or {*texts} & {"you", "we"} or _takes_up(said[1:]))
         return idle or (texts[-1:] == ["you"] and len(texts) <= 3)
@@ -91,6 +93,8 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
             return True
         vague = texts[0] in _MENDING and {*texts[1:]} <= _IT and len(texts) > 1
         return vague or (texts[0] in _CALLS and not named)
+    if clause.form == "dependent" and texts in (["where", "it", "belongs"], ["where", "they", "belong"]):
+        return clause.after == ","
     if clause.form == "dependent":
         return texts[0] not in _DEPENDING and not (named and texts[0] in _TIMING)
     if clause.form == "fragment":

@@ -56,7 +56,7 @@ class TaggedWord:
 
 
 _WORD: Final = re.compile(
-    r"(?:mrs?|ms|dr|prof|st)\.(?=\s)|(?:no|nr|approx)\.(?=\s?\d)|\d+(?:[.,]\d+)?(?:st|nd|rd|th)?|[^\W\d_]+(?:[-'][^\W\d_]+)*(?:'(?!\w))?|->|=>|→|\"[^\"\n]{1,60}\"|\S|\n",
+    r"(?:mrs?|ms|dr|prof|st)\.(?=\s)|(?:no|nr|approx)\.(?=\s?\d)|\d+(?:[.,]\d+)?(?:st|nd|rd|th)?(?:'s\b)?|[^\W\d_]+(?:[-'][^\W\d_]+)*(?:'(?!\w))?|->|=>|→|\"[^\"\n]{1,60}\"|\S|\n",
     re.IGNORECASE,
 )
 _BE: Final = frozenset("is are was were am be been being".split())
