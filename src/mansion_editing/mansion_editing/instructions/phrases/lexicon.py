@@ -242,7 +242,9 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
         called = stems(room.name)
         plain = called[: called.index("for")] if "for" in called[1:] else called  # "Office for two clerks"
         for said in (own, bare, called, plain, kind, *(stems(alias) for alias in room.aliases)):
-            name = tuple(READ_LIKE.get(word, word) for word in said if word != "s")  # of a genitive: the children's room
+            name = tuple(
+                READ_LIKE.get(word, word) for word in said if word != "s"
+            )  # of a genitive: the children's room
             proper = tuple(
                 word for word in name if word not in _words_of_kinds(state.catalogue) and not word.isdecimal()
             )

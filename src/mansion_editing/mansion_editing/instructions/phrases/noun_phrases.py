@@ -95,7 +95,6 @@ class NounPhrase:
             others=others,
         )
 
-
     def _size_of_room(self) -> Literal["", "largest", "smallest"]:
         """Return which of several rooms is meant by its size: ``the largest office``, ``the big gym``."""
         if self.noun.size in ("largest", "smallest"):

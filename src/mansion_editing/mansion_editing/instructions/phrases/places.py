@@ -292,7 +292,9 @@ def _ordinal_alone(words: Sequence[Word], at: int) -> int:
     """Return which one ``the first``, without a noun, means; 0 for other words."""
     if text_at(words, at) != "the" or at + 1 >= len(words) or words[at + 1].kind != "ordinal":
         return 0
-    ends = at + 2 >= len(words) or words[at + 2].kind == "mark" or words[at + 2].text in PREPOSITIONS | {"and", "please"}
+    ends = (
+        at + 2 >= len(words) or words[at + 2].kind == "mark" or words[at + 2].text in PREPOSITIONS | {"and", "please"}
+    )
     return int(words[at + 1].value) if ends else 0
 
 

@@ -127,8 +127,10 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
 
 def _named_next(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
     """Whether a thing is named right after a word, or meant by ``one``."""
-    return text_at(words, at + 1) in ("one", "hand") or _starts_noun(words, at + 1, at + 1, lexicon) or lexicon.is_object(
-        (text_at(words, at + 1),)
+    return (
+        text_at(words, at + 1) in ("one", "hand")
+        or _starts_noun(words, at + 1, at + 1, lexicon)
+        or lexicon.is_object((text_at(words, at + 1),))
     )
 
 

@@ -8,7 +8,13 @@ import msgspec
 
 from mansion_editing.instructions.statements import Add, Ensure, Mention, Move, Place, Remove, Replace, Statement
 
-__all__ = ["with_companions_first", "with_former_ones_first", "with_last_of_them_first", "with_old_ones_first", "with_replacements"]
+__all__ = [
+    "with_companions_first",
+    "with_former_ones_first",
+    "with_last_of_them_first",
+    "with_old_ones_first",
+    "with_replacements",
+]
 
 _OLD: Final = re.compile(r"\bthe (?:old|existing|previous|former|current|present)\b", re.IGNORECASE)
 
