@@ -12,7 +12,7 @@ from mansion_editing.state import SceneState
 @pytest.mark.parametrize(
     ("text", "joined"),
     [
-        ("Wheel the chairs out of the hall and put them in the kitchen.", "move the chairs from the hall to the kitchen."),
+        ("Wheel the chairs out of the hall and put them in the bar.", "move the chairs from the hall to the bar."),
         ("Is there a lamp in every room? Add one where it is missing.", "there should be a lamp in every room."),
         ("Are all fridges closed? If one of them is not, close it.", "all fridges should be closed."),
         ("Sofa where the table is now and the other way round.", "swap the Sofa and the table."),

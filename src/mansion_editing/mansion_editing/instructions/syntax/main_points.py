@@ -331,7 +331,7 @@ class _Points:
         return [said[0], replace(said[1], raw=things[0].words, tag="noun"), *rest]
 
     def _numbered_rooms(self, at: int) -> str:
-        """Return ``nap rooms`` for ``in 2, 3 and 4`` after words about the nap rooms; empty where no such were told of."""
+        """Return ``nap rooms`` for ``in 2, 3 and 4`` after words about them; empty where no such were told of."""
         following = self.words[at + 1] if at + 1 < len(self.words) else None
         bare = following is None or following.tag in ("mark", "joint")
         rooms = self.mentions[-1] if self.mentions else []

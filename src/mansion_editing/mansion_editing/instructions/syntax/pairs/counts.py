@@ -13,7 +13,7 @@ __all__ = ["too_many"]
 
 
 def too_many(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> Joined:
-    """Put ``there should be exactly six chairs in the hall`` for ``eight chairs in the hall are too many, leave six``."""
+    """Put ``there should be exactly six chairs in the hall`` for ``eight chairs in the hall are too many, so six``."""
     heading = clauses[at].form == "fragment" and names_something(said_in(clauses[at], words), lexicon)
     told = at + 1 if heading and at + 1 < len(clauses) and words[clauses[at].start].tag != "number" else at
     counted = _counted(clauses, told, words, lexicon)

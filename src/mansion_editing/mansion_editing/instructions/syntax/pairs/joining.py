@@ -81,5 +81,6 @@ _MISREAD: Final[tuple[Rule, ...]] = (none_on, table_laid, kept_elsewhere, swappe
 
 _RULES: Final[tuple[Rule, ...]] = (
     carried, swapped_with_companions, added_where_missing, all_made_so, exchanged, too_many, told_in_detail,
-    none_on, not_needed, left_only, renamed_in_turn, made_of, table_laid, given_finishes, in_place_of_those, spread, contrasted, swapped_topic, namely, supplied, lined_with, instead_of_some, asked_of_room,
+    none_on, not_needed, left_only, renamed_in_turn, made_of, table_laid, given_finishes, in_place_of_those, spread,
+    contrasted, swapped_topic, namely, supplied, lined_with, instead_of_some, asked_of_room,
 )  # fmt: skip

@@ -27,7 +27,7 @@ _OUT: Final = (["out", "of"], ["off"], ["from"], ["down", "from"], ["out", "from
 
 
 def carried(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> Joined:
-    """Put ``move both trolleys from the hall in the shed`` for ``wheel both trolleys out of the hall and park them``."""
+    """Put ``move both carts from the hall to the shed`` for ``wheel both carts out of the hall, park them there``."""
     if at + 1 >= len(clauses) or clauses[at].form != "order" or clauses[at + 1].form != "order":
         return None
     first, second = (said_in(clause, words) for clause in clauses[at : at + 2])

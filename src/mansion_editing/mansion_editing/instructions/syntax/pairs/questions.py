@@ -29,7 +29,7 @@ _MISSING: Final = (
 
 
 def added_where_missing(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> Joined:
-    """Put ``there should be a lamp in every room`` for ``is there a lamp in every room? Add one where it is missing``."""
+    """Put ``there should be a lamp in every room`` for ``is there one in every room? Add one where it is missing``."""
     if at + 1 >= len(clauses):
         return None
     asked, order = (said_in(clause, words) for clause in clauses[at : at + 2])
@@ -58,7 +58,7 @@ def all_made_so(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord],
 
 
 def asked_of_room(clauses: Sequence[Clause], at: int, words: Sequence[TaggedWord], lexicon: Lexicon) -> Joined:
-    """Put ``how many beds are there in the hall? Is there a lamp in the hall?`` for ``hall: how many beds, and ...?``."""
+    """Put ``how many beds are there in the hall? Is there ... in the hall?`` for ``hall: how many beds, and ...?``."""
     first = clauses[at]
     said = said_in(first, words)
     rest = [one for one in clauses[at + 1 :] if one.sentence == first.sentence]
