@@ -21,6 +21,9 @@ _HOLDING: Final = frozenset(["on", "in", "under"])
 """Relations to furniture that carries or covers things."""
 
 
+_TAKING: Final = frozenset("remove take throw get move bring carry delete".split())
+
+
 class ListedItems(PlacedItems):
     """Reads things joined by commas and conjunctions."""
 
@@ -54,9 +57,8 @@ class ListedItems(PlacedItems):
                 if found:
                     return found
                 raise NotUnderstood(at, self.boundary(at))
-            instead = (self.text(item.end), self.text(item.end + 2)) == ("in", "place") and not item.phrase.definite
-            if found and instead and self.words[item.end + 1].raw in ("its", "their"):
-                return found
+            if found and not item.phrase.definite and any(p.place.former is not None for p in item.places):
+                return found  # "remove the fridge, two plants in its place"
             placed = self._participle(item.phrase.end)
             new = placed is not None and placed[0] == "add" and not item.phrase.definite
             if found and (self._is_way(item.phrase) or new):
@@ -191,8 +193,10 @@ class ListedItems(PlacedItems):
 
     def _belongs_to(self, item: Item, before: Item) -> bool:
         """Whether a thing is that of the furniture named before it: ``the table and its four chairs``."""
-        own = self.words[item.phrase.start].raw == ("their" if before.phrase.noun.plural else "its")
+        several = before.phrase.noun.plural and before.phrase.amount.number != 1
+        own = self.words[item.phrase.start].raw == ("their" if several else "its")
         certain = before.phrase.definite or any(p.place.relation in SUPERLATIVES for p in before.places)
+        certain = certain or any(word.text in _TAKING for word in self.words[: before.phrase.start])
         named = item.phrase.noun.kind == "object" and before.phrase.noun.kind == "object" and certain
         return own and named and not before.is_room and self.lexicon.stands(before.phrase.noun.words)
 

@@ -68,6 +68,8 @@ class Moving(Shifting):
             things = item.phrase.things()
             if source != Place():
                 things = with_place(things, source)
+            if goal.spot and goal.anchor is None and goal.rooms is None and self.frame.rooms is not None:
+                goal = self._framed((goal, False))[0]  # "in the study, move the desk to the window"
             spared = tuple(msgspec.structs.replace(one, noun=one.noun or things.noun) for one in besides)
             things = msgspec.structs.replace(things, beside=spared)
             if self._comes_beside(item, own, goal):

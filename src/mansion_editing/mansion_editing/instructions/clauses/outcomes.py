@@ -144,8 +144,6 @@ class Outcomes(Sentence):
         phrase = item.phrase
         if self._joins(item, goal):
             goal = msgspec.structs.replace(goal, relation="beside")  # "one more chair to each table"
-        if goal.relation == "above" and self.lexicon.is_loose(phrase.noun.words):
-            goal = msgspec.structs.replace(goal, relation="on")  # "a blanket over the armchair"
         shared = item.places or not any(other.places for other in items)
         source = joined_places([p for p in item.places if p.source])[0] if shared else Place()
         whence = phrase.definite or phrase.refers or source != Place()
@@ -156,6 +154,7 @@ class Outcomes(Sentence):
         if phrase.refers == "last" and not phrase.noun.words and phrase.amount.number and to_them:
             more = Things(refers="last", amount=Amount(kind="more", number=phrase.amount.number), plural=phrase.plural)
             return Add(things=more, place=Place(rooms=Rooms(same=True)), quote=quote)
+        goal = self._laid_over(item, goal)
         partitive = self._is_partitive(phrase)
         begun = partitive and _begins_in_bare_room(item.places)
         if (
@@ -165,6 +164,7 @@ class Outcomes(Sentence):
         ):
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
+            goal = self._laid_over(item, goal)
         moved = (
             phrase.definite
             or partitive
@@ -180,6 +180,11 @@ class Outcomes(Sentence):
         if source != Place():
             things = with_place(things, self._framed((source, False))[0] if source.rooms is None else source)
         return Move(things=things, place=goal, or_new=source == Place() and not phrase.refers, quote=quote)
+
+    def _laid_over(self, item: Item, goal: Place) -> Place:
+        """Return ``a blanket over the armchair`` as on it."""
+        loose = goal.relation == "above" and self.lexicon.is_loose(item.phrase.noun.words)
+        return msgspec.structs.replace(goal, relation="on") if loose else goal
 
     def _joins(self, item: Item, goal: Place) -> bool:
         """Whether furniture comes ``to`` other furniture that it cannot stand on, and so beside it."""

@@ -143,6 +143,12 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         counted = items[0].phrase.amount.kind in ("all", "all_but", "half", "some")
         return leaving and counted and self.text(places[0].start) in ("out", "off") and not items[0].phrase.refers
 
+    def _each_for_itself(self, items: Sequence[Item], item: Item, quote: str, *, own: bool) -> list[Statement]:
+        """Return that one of several things leaves, or is where its own place says."""
+        if not own or self._all_leave([item]):
+            return [self._removed([item] if own else items, item, (), (), quote)]
+        return self._there(item, self._shared_goal([item], item), quote)
+
     def _comes_in_notes(self, items: Sequence[Item], after: int) -> bool:
         """Whether notes say that new things come in: ``the shelf out, an exam table in``."""
         ends = after >= len(self.words) or self.words[after].kind == "mark" or self.text(after) == "and"
@@ -162,9 +168,11 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         carried = self._carried_over(items, at) or self._goes_there(items, at)
         if carried is not None:
             return carried
-        if self._all_leave(items):
+        leaving = [self._all_leave([item]) for item in items]
+        if self._all_leave(items) or (any(leaving) and all(item.places for item in items)):
             quote = self.quote(at, end)
-            return [self._removed(items, item, (), (), quote) for item in items], end
+            own = any(leaving) and not all(leaving)  # "the towels on the rack, the bottle off the sink"
+            return [s for item in items for s in self._each_for_itself(items, item, quote, own=own)], end
         out: list[Statement] = []
         found = self._states_after(items, end, at)
         if found is not None:

@@ -130,7 +130,7 @@ class Removing(Moving):
         return tuple(self._all(item.phrase.things()) for item in items), end
 
     def _listed_up_to_verb(self, at: int) -> list[Item]:
-        """Read things joined by commas and ``and``, after all of which a verb follows: ``the mug and one cup may stay``."""
+        """Read things joined by commas and ``and`` that a verb follows: ``the mug and one cup may stay``."""
         found: list[Item] = []
         while at and (item := self.item(at)) is not None:
             found.append(item)

@@ -418,7 +418,9 @@ def swap(statement: Swap, state: SceneState, context: Context) -> Work:
 
 def turn(statement: Turn, state: SceneState, context: Context) -> Work:
     """Turn things where they stand."""
-    items = things_meant(state, statement.things, context)
+    marks = [] if statement.facing is None else things_of(state, statement.facing, context)
+    rooms_of_marks = {mark.room for mark in marks}
+    items = things_meant(state, statement.things, context, lambda item: {item.room} == rooms_of_marks)
     replies = []
     for item in items:
         turns = _rotations(statement, item, state, context)

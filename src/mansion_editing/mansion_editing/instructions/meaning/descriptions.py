@@ -175,8 +175,8 @@ def _things_of(
     if things.place is not None and not superlative:
         at = _Placed(state, things.place, context)
         pool = [item for item in pool if at.holds(item)]
-        if things.place.on_floor and (not noun or noun in ANYTHING):
-            pool = [item for item in pool if item.pickupable]  # what lies there, not what stands there
+        if not noun or noun in ANYTHING:
+            pool = _lying_there(pool, things.place)
     if things.owned:
         pool = _owned(state, pool, things.owned, context)
     if noun and not many:
@@ -190,6 +190,14 @@ def _things_of(
     if things.place is not None and superlative:
         pool = by_distance(state, pool, things, anchors_of(state, things.place, context))
     return _picked(sorted(pool, key=id_order), things)
+
+
+def _lying_there(pool: list[SceneObject], place: Place) -> list[SceneObject]:
+    """Return what lies on the floor or on furniture, not what stands there: ``everything from the coffee table``."""
+    if place.on_floor:
+        return [item for item in pool if item.pickupable]
+    carried = place.anchor is not None and place.relation == ""
+    return [item for item in pool if item.parent is not None] if carried else pool
 
 
 def _bearing(state: SceneState, pool: list[SceneObject], borne: Things, context: Context) -> list[SceneObject]:

@@ -39,7 +39,7 @@ READ_LIKE = {"kid": "child", "centre": "middle", "center": "middle"}
 _PERSONS_OF_ROOMS = frozenset("child guest staff patient nurse teacher family man woman doctor".split())
 """Persons that rooms are named after, whose name alone does not mean the room."""
 
-_NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "place", "side"])
+_NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "place", "side", "top"])
 """Nouns that end names of objects but do not name any by themselves."""
 
 _KINDS_OF_SPACES = frozenset("room bedroom bathroom office hall area studio station kitchen suite lounge shop".split())
@@ -242,9 +242,7 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
         called = stems(room.name)
         plain = called[: called.index("for")] if "for" in called[1:] else called  # "Office for two clerks"
         for said in (own, bare, called, plain, kind, *(stems(alias) for alias in room.aliases)):
-            name = tuple(
-                READ_LIKE.get(word, word) for word in said if word != "s"
-            )  # of a genitive: the children's room
+            name = tuple(READ_LIKE.get(word, word) for word in said if word != "s")  # of the children's room
             proper = tuple(
                 word for word in name if word not in _words_of_kinds(state.catalogue) and not word.isdecimal()
             )

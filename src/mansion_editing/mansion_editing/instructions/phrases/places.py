@@ -12,6 +12,7 @@ from mansion_editing.instructions.phrases.former_spots import read_former_spot
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
+from mansion_editing.instructions.phrases.spaces import end_of_building, end_of_same_room, goes_on_with_noun
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import (
     BEFORE_PLACES,
@@ -56,7 +57,8 @@ class ReadPlace:
 
 _ON: Final = ("on", "onto", "atop")
 _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
-    (("on", "top", "of"), "on"), (("on", "to"), "on"), (("in", "to"), "in"), (("inside", "of"), "in"),
+    (("on", "top", "of"), "on"), (("on", "the", "top", "of"), "on"), (("on", "to"), "on"),
+    (("in", "to"), "in"), (("inside", "of"), "in"),
     (("in", "front", "of"), "front"), (("on", "either", "side", "of"), "around"),
     (("on", "both", "side", "of"), "around"),
     (("to", "the", "left", "and", "right", "of"), "around"), (("on", "the", "left", "and", "right", "of"), "around"),
@@ -187,6 +189,9 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if text_at(words, at) == "inside" and text_at(words, at + 1) in _ENDS:
         last = Things(refers="last", definite=True, amount=Amount(number=0))
         return ReadPlace(Place(relation="in", anchor=last), at, at + 1)
+    if (text_at(words, at), text_at(words, at + 1)) == ("on", "top") and text_at(words, at + 2) in _ENDS:
+        last = Things(refers="last", definite=True, amount=Amount(number=0))
+        return ReadPlace(Place(relation="on", anchor=last), at, at + 2)
     end = end_of_each_other(words, at)
     if end:
         return ReadPlace(Place(relation="beside", anchor=EACH_OTHER), at, end)
@@ -235,7 +240,7 @@ def _after_preposition(
     if nth and relation in BESIDE_RELATIONS:
         one = Things(noun="one", amount=Amount(number=0), definite=True, ordinal=nth)
         return ReadPlace(Place(relation=relation, anchor=one), start, at + 2)  # "next to the first"
-    if storeys is not None and not _goes_on(words, storeys[2], lexicon):
+    if storeys is not None and not goes_on_with_noun(words, storeys[2], lexicon):
         numbers, every, end = storeys
         rooms = Rooms(floors=numbers, every=every)
         if phrase == ("off",) and text_at(words, at) in ("upstairs", "downstairs"):
@@ -252,10 +257,10 @@ def _after_preposition(
             return None
     if text_at(words, at) == "the" and text_at(words, at + 1) == "same" and text_at(words, at + 2) == "floor":
         return ReadPlace(Place(rooms=Rooms(floors=(SAME_FLOOR,))), start, at + 3, goal, source)
-    whole = _this_building(words, at, lexicon)
+    whole = end_of_building(words, at, lexicon)
     if whole:
         return ReadPlace(Place(), start, whole) if relation in ("in", "") and not goal else None
-    same = _same_room(words, at)
+    same = end_of_same_room(words, at)
     if same:
         return ReadPlace(Place(rooms=Rooms(same=True)), start, same, goal, source)
     target = noun_phrase(words, at, lexicon, floors)
@@ -272,7 +277,7 @@ def _after_preposition(
 def _on_floor(
     words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]
 ) -> tuple[Place, int, bool] | None:
-    """Read ``the floor``, ``the floor of the hall``, ``the kitchen floor``: a place, its end, and whether each is meant."""
+    """Read ``the floor of the hall``, ``the kitchen floor``: a place, its end, and whether each is meant."""
     if text_at(words, at) != "the":
         return None
     if text_at(words, at + 1) == "floor":
@@ -292,9 +297,8 @@ def _ordinal_alone(words: Sequence[Word], at: int) -> int:
     """Return which one ``the first``, without a noun, means; 0 for other words."""
     if text_at(words, at) != "the" or at + 1 >= len(words) or words[at + 1].kind != "ordinal":
         return 0
-    ends = (
-        at + 2 >= len(words) or words[at + 2].kind == "mark" or words[at + 2].text in PREPOSITIONS | {"and", "please"}
-    )
+    following = text_at(words, at + 2)
+    ends = not following or words[at + 2].kind == "mark" or following in PREPOSITIONS | {"and", "please"}
     return int(words[at + 1].value) if ends else 0
 
 
@@ -315,16 +319,6 @@ def _direction(phrase: tuple[str, ...]) -> tuple[bool, bool]:
     """Return whether a preposition tells where something goes, and whether it tells where it comes from."""
     source = phrase[0] in _SOURCES or (phrase[0] in _GOALS and phrase[-1] == "from")
     return phrase[0] in _GOALS and not source, source
-
-
-def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
-    """Whether a storey is only the modifier of a noun ("in the ground floor kitchen", "on the top floor guest bed")."""
-    if at >= len(words) or words[at].text in ("on", "in"):
-        return False
-    if words[at].text == "one":
-        return True
-    spans = [tuple(word.text for word in words[at : at + count]) for count in (1, 2, 3) if at + count <= len(words)]
-    return any(lexicon.is_object(span) or lexicon.is_room(span) for span in spans)
 
 
 _DISTANCES: Final[dict[str, Relation]] = {
@@ -357,37 +351,6 @@ def _superlative(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if target is None or target.noun.unknown or target.noun.kind == "room":
         return None
     return ReadPlace(Place(relation=relation, anchor=target.things()), at, target.end)
-
-
-_BUILDINGS: Final = frozenset("building house office school hotel hospital museum home flat apartment clinic".split())
-
-
-def _this_building(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
-    """Return the end of ``this three-storey office``, ``the flat``; 0 where the words name a part of it."""
-    place = at + 1
-    if text_at(words, at) not in ("this", "our", "the", "my"):
-        return 0
-    told = False
-    while place < len(words) and (
-        words[place].kind == "number" or text_at(words, place) in ("floor", "whole", "entire")
-    ):
-        told = True
-        place += 1
-    said = text_at(words, place)
-    plain = said == "building" or ((told or text_at(words, at) == "this") and said in _BUILDINGS)
-    alone = not _goes_on(words, place + 1, lexicon) and not (place < len(words) and words[place].plural)
-    return place + 1 if plain or (lexicon.is_building(said) and alone) else 0
-
-
-def _same_room(words: Sequence[Word], at: int) -> int:
-    """Return the end of ``the same room``, ``that floor``; 0 where there is none."""
-    place = at
-    place += text_at(words, place) in ("the", "that", "this")
-    same = text_at(words, place) == "same"
-    place += same
-    named = text_at(words, place) in ("room", "place")
-    said = same or (place > at and words[at].text in ("that", "this"))
-    return place + 1 if said and named else 0
 
 
 def _spot(
@@ -425,7 +388,7 @@ def _spot(
     if spot == "door" and word == "door" and text_at(words, place - 1) in OUTER_DOORS:
         return None  # one door of the building, not any of the room
     ceiling_or_wall = phrase[0] in _ON and spot == "wall"
-    if relation in ("", "above", "under", "behind") and not goal:
+    if relation in ("", "above", "under", "behind") and not goal and (relation, spot) != ("under", "window"):
         return None
     if spot in ("window", "door") and phrase[0] not in NEAR_SPOTS:
         return None
@@ -578,9 +541,10 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
     if other.words and not one.words:
         one, other = other, one
     here = (SAME_FLOOR,) if other.same and not other.every and one.words and not (one.floors or one.up) else ()
+    both = tuple(floor for floor in one.floors if floor in other.floors)  # "upstairs on 2"
     return msgspec.structs.replace(
         one,
-        floors=one.floors or other.floors or here,
+        floors=both or one.floors or other.floors or here,
         every=one.every or (other.every and not other.words),
         same=one.same or (other.same and not here and not one.up and not (one.words and other.every)),
         number=one.number or other.number,

@@ -59,6 +59,7 @@ from mansion_editing.instructions.sentences.refinement import (
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.scene_setting import SceneSetting
 from mansion_editing.instructions.sentences.selecting import with_those_taken
+from mansion_editing.instructions.sentences.states_of_each import with_states_of_each
 from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.sentences.together import brought_together
 from mansion_editing.instructions.sentences.topics import about_its_room
@@ -155,7 +156,7 @@ class _Reader(
         compared = [w for w in plain if is_comparative(SIZE_HINTS.get(w.text, "")) and '"type":"Replace"' in told]
         plain = [w for w in plain if w not in compared]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        chosen = brought_together(with_those_taken(self.statements))
+        chosen = with_states_of_each(brought_together(with_those_taken(self.statements)))
         ordered = with_old_ones_first(with_replacements(with_former_ones_first(chosen)))
         ordered = with_companions_first(with_last_of_them_first(ordered))
         ordered = with_takings_first(ordered, self.lexicon)
@@ -573,6 +574,7 @@ class _Reader(
         if more is not None and more.place.rooms is not None and reader.starts_clause(reader.skip(more.end)):
             self.frames = (more.place,)
             end = more.end
+        end += reader.text(end) == "only" and reader.text(end + 1) == ","  # "in the kitchen only, ..."
         comma = reader.text(end) in (",", ":", "-")
         after = reader.skip(end)
         begins = reader.starts_clause(after) or reader.text(after) == "there" or reader.phrase(after) is not None

@@ -14,6 +14,10 @@ _OPENING: Final = frozenset([",", "-", "("])
 _ONES: Final = frozenset(["one", "ones"])
 _ENDS: Final = frozenset(". ! ? ; , ) - ".split())
 _ALIKE: Final = (["the", "same", "as"], ["same", "as"], ["just", "like"], ["just", "as"], ["like"], ["as"])
+_GOING: Final = (
+    ["go", "with"], ["goes", "with"], ["belong", "to"], ["belongs", "to"], ["come", "with"], ["stand", "around"],
+    ["are", "around"], ["stand", "at"], ["are", "at"],
+)  # fmt: skip
 _METRES: Final = frozenset("m metre metres meter meters cm".split())
 _MOST_PLACES: Final = 4
 
@@ -21,7 +25,7 @@ _MOST_PLACES: Final = 4
 def without_appositions(words: Sequence[TaggedWord]) -> list[TaggedWord]:
     """Return words with what tells which or what a thing is joined to its name, and without what it only is like."""
     steps: tuple[Callable[[list[TaggedWord], int], list[TaggedWord] | None], ...] = (
-        _likened, _in_same_colour, _in_place_of_colour, _measured, _placed, _coloured,
+        _likened, _in_same_colour, _in_place_of_colour, _measured, _going_along, _placed, _coloured,
     )  # fmt: skip
     said = list(words)
     for step in steps:
@@ -118,6 +122,20 @@ def _measured(words: list[TaggedWord], at: int) -> list[TaggedWord] | None:
     measure = words[start : number + 2]
     least = [] if number > start else [replace(measure[0], text=text, raw=text) for text in ("at", "least")]
     return [*words[:at], *least, *measure, *words[at:comma], *words[number + 2 :]]
+
+
+def _going_along(words: list[TaggedWord], at: int) -> list[TaggedWord] | None:
+    """Read ``one table and the four chairs that go with it`` as ``one table and its four chairs``."""
+    said = [word.text for word in words[at : at + 4]]
+    along = said[:1] in (["that"], ["which"]) and said[1:3] in _GOING and said[3:] in (["it"], ["them"])
+    start = at - 1
+    while along and start > 0 and words[start].tag in ("noun", "number", "adjective"):
+        start -= 1
+    if not along or words[start].text not in ("the", "all"):
+        return None
+    own = "its" if said[3] == "it" else "their"
+    possessive = replace(words[start], text=own, raw=own, tag="possessive")
+    return [*words[:start], possessive, *words[start + 1 : at], *words[at + 4 :]]
 
 
 def _is_please(words: Sequence[TaggedWord], at: int) -> bool:

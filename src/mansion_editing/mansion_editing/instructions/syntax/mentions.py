@@ -83,7 +83,7 @@ def mentioned_in(
             place = _place_after(clause, words, end) if kind == "thing" else ()
             inside = max(inside, place[-1].end if place else 0)
             said = _said_again(words[at:end], text) + (f" {text_of(place, text)}" if place else "")
-            fronted = found[0] if first_room and kind == "thing" and at <= clause.verb else None
+            fronted = found[0] if found and first_room and kind == "thing" and at <= clause.verb else None
             said += f" in {fronted.words}" if fronted is not None else ""
             head = next((word for word in reversed(words[at:end]) if word.tag == "noun"), words[end - 1])
             nouns = _name(words[at:end], lexicon)

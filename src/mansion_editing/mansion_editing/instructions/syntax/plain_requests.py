@@ -371,6 +371,7 @@ def _without_relatives(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagged
 
 
 _LOOKING: Final = frozenset("face faces look looks point points".split())
+_SEATS: Final = ("chair", "sofa", "stool", "bench", "seat", "couch", "recliner", "loveseat", "settee")
 
 
 def _as_turned(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
@@ -380,7 +381,8 @@ def _as_turned(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
         return words
     looks = next((k for k in range(so + 1, len(words) - 1) if words[k].text in _LOOKING), 0)
     subject = [word.text for word in words[so + 1 : looks] if word.text not in ("that", "can", "should", "will")]
-    if not looks or subject not in (["it"], ["they"], ["its", "front"]) or words[-1].text in ("way", "direction"):
+    turned = subject in (["it"], ["they"], ["its", "front"]) or _sits_there(subject, words[1:so])
+    if not looks or not turned or words[-1].text in ("way", "direction"):
         return words
     goal = looks + 1
     while goal < len(words) and (words[goal].tag in ("preposition", "to", "adverb")):
@@ -388,6 +390,14 @@ def _as_turned(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     end = so - (words[so - 1].text in ("around", "round", "about", ","))
     to = replace(words[so], text="to", raw="to", tag="to")
     return [*words[:end], to, *words[goal:]] if goal < len(words) else words
+
+
+def _sits_there(subject: Sequence[str], turned: Sequence[TaggedWord]) -> bool:
+    """Whether a subject is who sits on the seat that turns, and so looks where it does: ``who sits in it``, ``I``."""
+    seat = any(singular(word.text).endswith(_SEATS) for word in turned)
+    alone = len(subject) == 1 and subject[0] in ("you", "i", "we", "one", "she", "he", "people")
+    sits = len(subject) > 1 and bool({"sits", "sitting", "sit"} & {*subject}) and subject[-1] in ("it", "there", "in", "on")
+    return seat and (alone or sits)
 
 
 def _without_purpose(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
