@@ -10,7 +10,7 @@ from mansion_editing.instructions.statements import Move
 from mansion_editing.state import SceneState
 
 
-@pytest.mark.parametrize("text", ["Put the plate away.", "Put away the plate.", "Put the mugs on the dining table away."])
+@pytest.mark.parametrize("text", ["Put the plate away.", "Put away the plate.", "Put the mugs on the table away."])
 def test_what_is_put_away_is_kept(furnished_state: SceneState, text: str) -> None:
     (statement,) = read_in_other_words(text, furnished_state).statements
     assert isinstance(statement, Move) and statement.place == AWAY

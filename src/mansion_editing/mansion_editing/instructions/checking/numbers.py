@@ -151,7 +151,11 @@ def check_clear(
     whole = spares_furniture(before, statement, context)
     there = _loose_at(statement.place, before, after, before, context, furniture=whole)
     spared = spared_among(before, statement.spare, there, context) | context.kept
-    left = [item for item in _loose_at(statement.place, before, after, after, context, furniture=whole) if item.id not in spared]
+    left = [
+        item
+        for item in _loose_at(statement.place, before, after, after, context, furniture=whole)
+        if item.id not in spared
+    ]
     bearing = {found[1].parent for name in spared if (found := after.find(name)) is not None}
     left = [item for item in left if item.id not in bearing]
     lost = sorted(spared & set(diff.removed))

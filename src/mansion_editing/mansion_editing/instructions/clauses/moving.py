@@ -194,8 +194,8 @@ class Moving(Shifting):
             return [Swap(one=old[0].rooms(), other=new[0].rooms(), quote=quote)], end
         swapped = self.text(at) in ("swap", "exchange", "trade", "interchange")
         if swapped and len(new) == 1 and new[0].phrase.definite and not new[0].phrase.refers:
-            one, other = (self._within_frame(item.things()) for item in (old[0], new[0]))
-            return [Swap(one=one, other=_beside_it(other, one), quote=quote)], end
+            first, second = (self._within_frame(item.things()) for item in (old[0], new[0]))
+            return [Swap(one=first, other=_beside_it(second, first), quote=quote)], end
         out: list[Statement] = []
         for item in old:
             things = item.things()

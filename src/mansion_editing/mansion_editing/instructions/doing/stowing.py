@@ -54,7 +54,9 @@ def stow(statement: Move, state: SceneState, context: Context) -> Work:
 def is_stowed(item: SceneObject, state: SceneState) -> bool:
     """Whether a thing is in furniture, or where such things are usually kept."""
     found = None if item.parent is None else state.find(item.parent)
-    return found is not None and _keeps(found[1], item, state) and (item.mount == "inside" or _is_shelf(found[1], state))
+    return (
+        found is not None and _keeps(found[1], item, state) and (item.mount == "inside" or _is_shelf(found[1], state))
+    )
 
 
 def _stores_for(item: SceneObject, state: SceneState) -> list[SceneObject]:

@@ -12,10 +12,22 @@ from mansion_editing.instructions.paraphrases.remarks import without_remarks
 from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Add, Ensure, Instruction, Keep, Mention, Move, Place, Rename, Rooms, Statement, Things
+from mansion_editing.instructions.statements import (
+    Add,
+    Ensure,
+    Instruction,
+    Keep,
+    Mention,
+    Move,
+    Place,
+    Rename,
+    Rooms,
+    Statement,
+    Things,
+)
 from mansion_editing.instructions.syntax.arrows import without_arrows
 from mansion_editing.instructions.syntax.main_points import MainPoints, main_points
-from mansion_editing.instructions.syntax.pairs import without_misread_pairs
+from mansion_editing.instructions.syntax.pairs.joining import without_misread_pairs
 from mansion_editing.state import SceneState
 
 __all__ = ["read_in_other_words", "reworded"]

@@ -13,7 +13,7 @@ from mansion_editing.instructions.syntax.list_colons import without_list_colons
 from mansion_editing.instructions.syntax.made_numbers import made_number, with_number_made
 from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in, taken_up
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
-from mansion_editing.instructions.syntax.pairs import with_pairs_joined
+from mansion_editing.instructions.syntax.pairs.joining import with_pairs_joined
 from mansion_editing.instructions.syntax.plain_requests import plainly_asked
 from mansion_editing.instructions.syntax.requests import is_person, names_something, only_tells
 from mansion_editing.instructions.syntax.room_numbers import with_room_numbers
@@ -73,7 +73,14 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     clauses, words = _wished(clauses_of(words), words)
     told = [only_tells(clause, words, lexicon) for clause in clauses]
     told = [
-        (tells and not (_goes_on_wishing(clauses, words, number) or _is_listed(clauses, words, number, lexicon) or _asks_opinion(clauses, words, number)))
+        (
+            tells
+            and not (
+                _goes_on_wishing(clauses, words, number)
+                or _is_listed(clauses, words, number, lexicon)
+                or _asks_opinion(clauses, words, number)
+            )
+        )
         or _is_topic(clauses, words, number)
         or _is_counted_before(clauses, words, number)
         or _repeats_swap(clauses, words, number)
@@ -309,7 +316,11 @@ class _Points:
         ------
         _Uncertain
         """
-        if said[0].verb not in ("replace", "swap", "exchange") or len(said) < 3 or said[1].text not in ("by", "with", "for"):
+        if (
+            said[0].verb not in ("replace", "swap", "exchange")
+            or len(said) < 3
+            or said[1].text not in ("by", "with", "for")
+        ):
             return said
         things = next((found for m in reversed(self.mentions) if (found := [t for t in m if t.kind == "thing"])), [])
         if len(things) != 1 or not things[0].told:
@@ -320,7 +331,7 @@ class _Points:
         return [said[0], replace(said[1], raw=things[0].words, tag="noun"), *rest]
 
     def _numbered_rooms(self, at: int) -> str:
-        """Return ``nap rooms`` for ``in 2, 3 and 4`` after words about the nap rooms; empty where no such were told of."""
+        """Return ``nap rooms`` for ``in 2, 3 and 4`` after words about them; empty where no such were told of."""
         following = self.words[at + 1] if at + 1 < len(self.words) else None
         bare = following is None or following.tag in ("mark", "joint")
         rooms = self.mentions[-1] if self.mentions else []

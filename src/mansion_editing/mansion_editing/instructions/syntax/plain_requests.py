@@ -19,9 +19,21 @@ from mansion_editing.instructions.syntax.plain_things import (
     without_load,
     without_simile,
 )
+from mansion_editing.instructions.syntax.plain_wishes import (
+    WAYS,
+    as_caused,
+    as_going,
+    as_new,
+    as_painted,
+    as_running,
+    end_of_place,
+    with_lid_closed,
+    with_place_after,
+    with_seats,
+    without_emphasis,
+)
 from mansion_editing.instructions.syntax.requests import names_something
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
-from mansion_language.colours import COLOUR_WORDS
 from mansion_editing.instructions.syntax.wished_states import with_wished_colour
 from mansion_language.inflection import plural, singular
 
@@ -38,17 +50,17 @@ _RESTING: Final = frozenset(
 )
 _PARTICLES: Final = frozenset("up down over out across along round around away back off through".split())
 _GOALS: Final = frozenset("in into on onto to under next behind beside by between at near against inside".split())
-_WAYS: Final = frozenset("into onto to".split())
-"""Prepositions by which things that are there go somewhere; in others they may only be there."""
 
 
 def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
-        _without_edges, _with_place_after, _without_emphasis, _with_seats, _as_caused, _as_running, _as_painted, _as_new, _with_lid_closed, _without_added_clause, _with_companions, _without_comparison, without_simile, without_contrast, without_load,
-        with_one_for_each, without_alternatives, with_colour_first, with_lamp_of_ceiling, _as_removed, _with_share, _with_part_after,
-        _with_replaced_after, _as_going, _as_obliged, with_wished_colour, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
-        _as_turned, _without_purpose, _with_plain_verb,
+        _without_edges, with_place_after, without_emphasis, with_seats, as_caused, as_running, as_painted, as_new,
+        with_lid_closed, _without_added_clause, _with_companions, _without_comparison, without_simile,
+        without_contrast, without_load, with_one_for_each, without_alternatives, with_colour_first,
+        with_lamp_of_ceiling, _as_removed, _with_share, _with_part_after, _with_replaced_after, as_going, _as_obliged,
+        with_wished_colour, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives, _as_turned,
+        _without_purpose, _with_plain_verb,
     )  # fmt: skip
     said = list(words)
     for step in steps:
@@ -82,13 +94,17 @@ _OUT_OF_HERE: Final = frozenset("building house flat apartment premises hut stat
 def _as_removed(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``remove the screen`` for ``take the screen off the wall and out of the building``."""
     texts = [word.text for word in words]
-    out = next((k for k in range(2, len(words) - 3) if texts[k : k + 3] in (["out", "of", "the"], ["out", "of", "this"])), 0)
+    out = next(
+        (k for k in range(2, len(words) - 3) if texts[k : k + 3] in (["out", "of", "the"], ["out", "of", "this"])), 0
+    )
     carried = words[0].form == "base" and BY_WORDS.get((words[0].verb,)) in ("take", "move", "bring", "throw")
     if not carried or not out or texts[out + 3] not in _OUT_OF_HERE or out + 4 < len(words):
         return words
     end = out - (texts[out - 1] in ("and", ","))
     order = replace(words[0], text="remove", raw="remove", verb="remove")
-    wall = next((k for k in range(2, end) if texts[k] in ("off", "from") and texts[k + 1 : k + 3] == ["the", "wall"]), 0)
+    wall = next(
+        (k for k in range(2, end) if texts[k] in ("off", "from") and texts[k + 1 : k + 3] == ["the", "wall"]), 0
+    )
     if not wall:
         return [order, *words[1:end]]
     named = end_of_noun_group(words, 1)
@@ -189,150 +205,25 @@ def _with_replaced_after(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagg
     ]
 
 
-def _with_place_after(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
-    """Return ``put a lamp and a mug on each desk`` for ``on each desk I need a lamp and a mug``."""
-    if words[0].tag != "preposition" or words[0].text in ("of", "from", "for", "with", "without", "instead"):
-        return words
-    subject = _end_of_place(words, 0)
-    verb = subject + 1
-    while verb < len(words) and (words[verb].tag in ("modal", "adverb") or words[verb].text == "have"):
-        verb += 1
-    wishing = verb < len(words) and (words[verb].verb in _WISHING or words[verb - 1].text == "have")
-    if not subject or subject >= len(words) or words[subject].text not in ("i", "we") or not wishing:
-        return words
-    new = verb + (words[verb].verb in _WISHING)
-    new += 2 * ([word.text for word in words[new : new + 2]] == ["to", "have"])
-    if end_of_noun_group(words, new) == new or words[new].text in ("the", "it", "them", "to"):
-        return words
-    put = replace(words[verb], text="put", raw="put", tag="verb", verb="put", form="base")
-    place = words[: subject - (words[subject - 1].text == ",")]
-    return [put, *words[new:], replace(place[0], raw=place[0].text), *place[1:]]
-
-
-def _as_new(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
-    """Return ``add a new bath mat`` for ``new bath mat``."""
-    named = end_of_noun_group(words, 0)
-    if words[0].text != "new" or named < 2 or any(word.is_finite or word.form == "base" for word in words):
-        return words
-    several = singular(words[named - 1].text) != words[named - 1].text
-    first = replace(words[0], raw="new")
-    article = [] if several else [replace(first, text="a", raw="a", tag="determiner")]
-    return [replace(first, text="add", raw="add", tag="verb", verb="add", form="base"), *article, first, *words[1:]]
-
-
-def _with_lid_closed(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
-    """Return ``close the lid`` for ``put the lid down``, ``lower the lid``."""
-    texts = [word.text for word in words]
-    lid = next((k for k in range(1, len(words)) if singular(texts[k]) == "lid"), 0)
-    down = "down" in texts or words[0].verb == "lower"
-    if words[0].verb not in ("put", "flip", "lower", "pull", "push", "bring") or not lid or not down:
-        return words
-    rest = [word for word in words[1:] if word.text != "down"]
-    return [replace(words[0], text="close", raw="close", verb="close"), *rest]
-
-
-_RUNNING: Final = frozenset("run burn glow shine work hum".split())
-
-
-_HENCE: Final = frozenset("therefore thus hence consequently".split())
-
-
-def _without_emphasis(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
-    """Return ``take the rug away`` for ``do take the rug away``."""
-    if words[0].tag == "do" and len(words) > 2 and words[1].form == "base":
-        words = words[1:]
-    return words
-
-
-def _with_seats(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
-    """Return ``a dining table and six chairs`` for ``a dining table for six with chairs``."""
-    texts = [word.text for word in words]
-    at = next((k for k in range(2, len(words) - 3) if texts[k] == "for" and words[k + 1].tag == "number"), 0)
-    if not at or texts[at + 2] != "with" or singular(texts[at + 3]) not in ("chair", "stool", "seat"):
-        return words
-    joint = replace(words[at + 2], text="and", raw="and", tag="joint")
-    return [*words[: at - (texts[at - 1] == "in")], joint, words[at + 1], *words[at + 3 :]]
-
-
-def _as_caused(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
-    """Return ``the desk should face the door`` for ``have the desk face the door``."""
-    words = [word for word in words if word.text not in _HENCE] if len(words) > 3 else words
-    end = end_of_noun_group(words, 1)
-    causing = words[0].text in ("have", "let", "get") and 1 < end < len(words) - 1
-    if not causing or words[1].text not in _KNOWN or words[end].verb not in ("face", "look", "stand", "lie", "hang"):
-        return words
-    should = replace(words[0], text="should", raw="should", tag="modal", verb="", form="")
-    return [*words[1:end], should, *words[end:]]
-
-
-def _as_running(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
-    """Return ``the lamps should be on`` for ``the lamps should burn``, and ``off`` for what shall not."""
-    modal = next((k for k in range(1, len(words) - 1) if words[k].text in ("must", "should", "shall", "can", "may")), 0)
-    verb = modal + 1 + (words[modal + 1].tag == "not") if modal else 0
-    if not verb or verb >= len(words) or words[verb].verb not in _RUNNING or words[0].tag in ("somebody", "verb"):
-        return words
-    if names_something(words[verb:], lexicon) or any(word.tag == "not" for word in words[verb:]):
-        return words
-    should = replace(words[modal], text="should", raw="should")
-    state = "off" if words[modal + 1].tag == "not" else "on"
-    on = replace(words[verb], text=state, raw=state, tag="adverb", verb="", form="")
-    return [*words[:modal], should, replace(should, text="be", raw="be", tag="be"), on]
-
-
-def _as_painted(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
-    """Return ``paint the wardrobe white`` for ``I would like the wardrobe in white``, ``to be white``."""
-    wish = next((k for k in range(1, min(4, len(words))) if words[k].verb in _WISHING), 0)
-    colour = words[-1]
-    if words[0].text not in ("i", "we") or not wish or colour.text not in COLOUR_WORDS:
-        return words
-    joint = len(words) - 2
-    if [word.text for word in words[joint - 1 : joint + 1]] == ["to", "be"]:
-        joint -= 1
-    elif words[joint].text != "in":
-        return words
-    named = words[wish + 1 : joint]
-    if not named or named[0].text not in _KNOWN:
-        return words
-    paint = replace(words[wish], text="paint", raw="paint", verb="paint", form="base")
-    return [paint, *named, colour]
-
-
-_KNOWN: Final = frozenset("the both all my our your those these it them that this".split())
-
-
-def _as_going(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
-    """Return ``move all of the plates into the sink`` for ``all of the plates into the sink``."""
-    goal = next((k for k in range(1, len(words)) if words[k].text in _WAYS), 0)
-    known = words[0].text in ("the", "all", "both", "those", "these", "my", "our", "that", "this", "every")
-    if not goal or not known or any(word.is_finite or word.form == "base" for word in words):
-        return words
-    told = any(word.text in ("it", "them", "those", "these") for word in words[:goal])
-    if not (told or names_something(words[:goal], lexicon)) or not names_something(words[goal:], lexicon):
-        return words
-    first = replace(words[0], raw=words[0].text)
-    return [replace(first, text="move", raw="move", tag="verb", verb="move", form="base"), first, *words[1:]]
-
-
 def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``the cart should be here`` for ``it would make sense for the cart to be here``."""
     at = next((k for k in range(2, len(words) - 3) if words[k].text == "for"), 0)
     if words[0].text != "it" or not at or not {"would", "should", "is"} & {word.text for word in words[1:at]}:
         return words
-    end = _end_of_place(words, end_of_noun_group(words, at + 1))
+    end = end_of_place(words, end_of_noun_group(words, at + 1))
     if end >= len(words) - 1 or words[end].tag != "to":
         return words
     should = replace(words[end], text="should", raw="should", tag="modal")
     return [*words[at + 1 : end], should, *words[end + 1 :]]
 
 
-_WISHING: Final = frozenset("need want like".split())
 _BETTER: Final = frozenset("better nicer use useful good well best lovely nice great fun perfect".split())
 
 
 def _as_moved(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``the lamp should go by the sofa`` for ``by the sofa the lamp would be of use``, ``is needed by ...``."""
     verb = next((k for k in range(1, len(words)) if words[k].tag in ("modal", "be")), 0)
-    start = _end_of_place(words, 0)
+    start = end_of_place(words, 0)
     subject_end = end_of_noun_group(words, start)
     definite = (
         start < len(words)
@@ -358,16 +249,6 @@ def _as_moved(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
 
 
 _NEW: Final = frozenset("a an another some any no".split())
-
-
-def _end_of_place(words: Sequence[TaggedWord], at: int) -> int:
-    """Return the end of the place that begins at a word; the word where none does."""
-    while at < len(words) and words[at].tag == "preposition":
-        end = end_of_noun_group(words, at + 1)
-        if end == at + 1:
-            return at
-        at = end + (end < len(words) and words[end].text == ",")
-    return at
 
 
 _DOING: Final = frozenset("do suffice help sort fix solve improve".split())
@@ -554,7 +435,7 @@ def _with_plain_verb(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
     if particle == "in" and words[end + 1].tag == "preposition":
         words, particle = [*words[:end], *words[end + 1 :]], ""
     deed = BY_WORDS.get((known,))
-    goal = _goal_from(words, end, _GOALS if deed == "add" else _WAYS)
+    goal = _goal_from(words, end, _GOALS if deed == "add" else WAYS)
     carried = deed in ("move", "add", "bring", "take")
     wall = next(
         (k for k in range(end, len(words) - 2) if words[k].text in ("off", "from") and _is_wall(words, k + 2)), 0

@@ -12,7 +12,15 @@ from mansion_editing.instructions.syntax.tagged_words import TaggedWord
 from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import singular
 
-__all__ = ["with_colour_first", "with_lamp_of_ceiling", "with_one_for_each", "without_alternatives", "without_contrast", "without_load", "without_simile"]
+__all__ = [
+    "with_colour_first",
+    "with_lamp_of_ceiling",
+    "with_one_for_each",
+    "without_alternatives",
+    "without_contrast",
+    "without_load",
+    "without_simile",
+]
 
 _NEW: Final = frozenset("a an another some any".split())
 _ADDING: Final = frozenset(["add", "bring", "equip", "furnish", "want", "give", "set"])
