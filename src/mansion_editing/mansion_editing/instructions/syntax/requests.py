@@ -172,6 +172,8 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     if coming and not is_person(subject):
         return True  # "the desk and the chair go out"
     making = main.verb == "make" and "way" not in texts
+    if main.verb == "belong" and "to" in texts[1:3] and not names_something(rest, lexicon):
+        return False  # "the red car belongs to Sam"
     placed = main.verb in _PLACING - _RESTING and main.form in ("third", "base") and not making
     if placed and not _goes_on_doing(rest):
         return not somebody or main.verb == "keep"
