@@ -58,9 +58,9 @@ from mansion_editing.instructions.sentences.refinement import (
 )
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.scene_setting import SceneSetting
+from mansion_editing.instructions.sentences.seats import laid_on_seats
 from mansion_editing.instructions.sentences.selecting import with_those_taken
 from mansion_editing.instructions.sentences.states_of_each import with_states_of_each
-from mansion_editing.instructions.sentences.seats import laid_on_seats
 from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.sentences.together import brought_together
 from mansion_editing.instructions.sentences.topics import about_its_room
