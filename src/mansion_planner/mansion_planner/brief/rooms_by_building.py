@@ -38,6 +38,8 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
         and phrase.name.partition("_")[0] in _BEDS
     ):
         return replace(phrase, room_type=lodging, known=True)  # "twelve double rooms" of a dormitory
+    if phrase.building and phrase.name == "loft" and family == "home" and not itself:
+        return replace(phrase, head="room", building="", room_type=HEAD_TYPES["loft"], known=True)
     own = None if itself else _by_family(reading, phrase, family)
     if own is not None:
         return own
@@ -144,6 +146,8 @@ _NAMED = {
     ("bay", "fire_station"): "apparatus_bay",
     ("engine_bay", "fire_station"): "apparatus_bay",
     ("vehicle_bay", "fire_station"): "apparatus_bay",
+    ("cell", "monastery"): "dorm_room",
+    ("bay", "bus_station"): "parking",
     ("studio", "radio_station"): "recording_studio",
     ("studio", "media_house"): "recording_studio",
 }

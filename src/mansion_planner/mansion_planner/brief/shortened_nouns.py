@@ -15,9 +15,15 @@ _OFFICES = frozenset("office headquarter headquarters workspace workstation cowo
 """Words of a brief that is about places to work."""
 _ENDS = frozenset({"", ",", ".", ";", ":", ")", "\n", "with", "and", "or", "per", "on", "in", "each", "plus"})
 
+_HAIR = frozenset("hair hairdresser hairdressing barber barbershop salon".split())
+"""Words of a brief that is about a hairdresser's."""
+
 
 def shortened_nouns(tokens: list[Token]) -> list[Token]:
-    """Return the tokens with rooms where "doubles" are counted, offices where "open-plan" ends, and "w/" as "with"."""
+    """Return the tokens with rooms where "doubles" are counted, offices where "open-plan" ends, and "w/" as "with".
+
+    The stations of a hairdresser are styling chairs.
+    """
     texts = {token.text for token in tokens}
     result: list[Token] = []
     for index, token in enumerate(tokens):
@@ -31,6 +37,8 @@ def shortened_nouns(tokens: list[Token]) -> list[Token]:
         if token.text in _BEDS and token.plural and counted and not _LODGINGS.isdisjoint(texts):
             result[-1] = replace(token, plural=False)
             result.append(Token("word", "room", token.end, token.end, plural=True))
+        elif token.text == "station" and counted and not _HAIR.isdisjoint(texts):
+            result[-1:] = [Token("word", "styling", token.start, token.start), replace(token, text="chair")]
         elif (before, token.text) == ("open", "plan") and not _OFFICES.isdisjoint(texts):
             result.append(Token("word", "office", token.end, token.end))
     return result
