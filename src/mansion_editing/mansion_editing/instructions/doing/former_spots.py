@@ -1,6 +1,6 @@
 """Bring things to where others stood before they went."""
 
-from typing import Any, Final
+from typing import Final
 
 from mansion_editing.instructions.doing.work import Done, Work, live, whereabouts
 from mansion_editing.instructions.meaning.choices import things_meant
@@ -40,8 +40,8 @@ def move_to_former_spot(statement: Move, state: SceneState, context: Context) ->
     reasons = []
     for turn in _TURNS:
         x, y, _ = old.position
-        spot: dict[str, Any] = {"object_id": name, "x": x, "y": y, "rotation": round((old.rotation + turn) % 360.0, 4)}
-        answer = yield Action(f"{name} should stand where {old.id} was.", "MoveObject", spot)
+        where_it_was = {"object_id": name, "x": x, "y": y, "rotation": round((old.rotation + turn) % 360.0, 4)}
+        answer = yield Action(f"{name} should stand where {old.id} was.", "MoveObject", where_it_was)
         if answer.error is None:
             (now,) = live(state, [name])
             reply = f"{item.id} moved from {where} to where {old.id} was, {whereabouts(now)}"

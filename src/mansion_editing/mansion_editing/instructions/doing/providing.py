@@ -88,8 +88,8 @@ def add(statement: Add, state: SceneState, context: Context) -> Work:
         raise Unmet(f"{number} things are more than one instruction brings; at most {MOST_NEW}")
     known = {item.id for _, item in state.objects()}
     if place.former is not None:
-        instead = yield from _in_place_of(vacated_by(state, place.former, context), things, number, state)
-        return _added_reply(things, place, 0, instead, state, context)
+        there = yield from _in_place_of(vacated_by(state, place.former, context), things, number, state)
+        return _added_reply(things, place, 0, there, state, context)
     groups = yield from _groups(things, place, state, context, each=statement.each)
     if place.anchor is not None and place.anchor.amount.of:  # on one of the desks: first on those without such a thing
         groups = [sorted(g, key=lambda target: len(at_target(state, things, place, target, context))) for g in groups]

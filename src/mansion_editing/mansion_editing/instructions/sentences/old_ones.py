@@ -6,7 +6,17 @@ from typing import Final
 
 import msgspec
 
-from mansion_editing.instructions.statements import Add, Ensure, Mention, Move, Place, Remove, Replace, Statement
+from mansion_editing.instructions.statements import (
+    Add,
+    Ensure,
+    Mention,
+    Move,
+    Place,
+    Remove,
+    Replace,
+    Statement,
+    Things,
+)
 
 __all__ = [
     "with_companions_first",
@@ -41,12 +51,21 @@ def with_replacements(statements: Sequence[Statement]) -> list[Statement]:
     out: list[Statement] = []
     for statement in statements:
         last = out[-1] if out else None
-        new = isinstance(statement, Add | Ensure) and statement.place.former is not None
-        if isinstance(statement, Add | Ensure) and new and isinstance(last, Remove):
-            out[-1] = Replace(things=last.things, by=statement.things, quote=f"{last.quote}; {statement.quote}")
+        new = _comes_in_its_place(statement)
+        if new is not None and isinstance(last, Remove):
+            out[-1] = Replace(things=last.things, by=new, quote=f"{last.quote}; {statement.quote}")
         else:
             out.append(statement)
     return out
+
+
+def _comes_in_its_place(statement: Statement) -> Things | None:
+    """Return what is new where something stood, also in notes: ``remove the fridge, two plants in its place``."""
+    if isinstance(statement, Add | Ensure) and statement.place.former is not None:
+        return statement.things
+    if not isinstance(statement, Remove) or statement.things.definite or statement.things.place is None:
+        return None
+    return msgspec.structs.replace(statement.things, place=None) if statement.things.place.former is not None else None
 
 
 def with_companions_first(statements: Sequence[Statement]) -> list[Statement]:

@@ -396,11 +396,8 @@ def _sits_there(subject: Sequence[str], turned: Sequence[TaggedWord]) -> bool:
     """Whether a subject is who sits on the seat that turns, and so looks where it does: ``who sits in it``, ``I``."""
     seat = any(singular(word.text).endswith(_SEATS) for word in turned)
     alone = len(subject) == 1 and subject[0] in ("you", "i", "we", "one", "she", "he", "people")
-    sits = (
-        len(subject) > 1
-        and bool({"sits", "sitting", "sit"} & {*subject})
-        and subject[-1] in ("it", "there", "in", "on")
-    )
+    there = subject[-1:] in (["it"], ["there"], ["in"], ["on"])
+    sits = len(subject) > 1 and bool({"sits", "sitting", "sit"} & {*subject}) and there
     return seat and (alone or sits)
 
 
