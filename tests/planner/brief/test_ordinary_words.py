@@ -124,3 +124,17 @@ def test_a_yard_that_a_room_looks_into_is_no_outline() -> None:
     looked_into = read_brief("a flat with a bedroom facing the courtyard", default_knowledge())
     built_around = read_brief("a house around a courtyard", default_knowledge())
     assert (looked_into.shapes, [shape for shape, _ in built_around.shapes]) == ([], ["courtyard"])
+
+
+@pytest.mark.parametrize(
+    "brief", ["a ground-floor flat with a patio", "a top-floor flat with two bedrooms", "a second-floor apartment"]
+)
+def test_a_flat_on_some_storey_is_a_flat_and_no_building_around_it(brief: str) -> None:
+    program = plan_building(BuildRequest(description=brief)).program
+    assert len(program.floors) == 1
+    assert not any(room.room_type == "apartment" for room in program.floors[0].rooms)
+
+
+@pytest.mark.parametrize("brief", ["a flat of 55 m2 with a separate toilet", "a flat of 40 m2 with a pantry"])
+def test_a_small_flat_has_a_place_to_sleep(brief: str) -> None:
+    assert "bedroom" in {room.room_type for room in rooms(brief)}

@@ -26,7 +26,7 @@ from mansion_planner.brief.rooms_by_number import rooms_by_number
 from mansion_planner.brief.rooms_by_person import rooms_by_person
 from mansion_planner.brief.seated_people import seated_people
 from mansion_planner.brief.shortened_nouns import shortened_nouns
-from mansion_planner.brief.single_floors import single_floors
+from mansion_planner.brief.single_floors import single_flats, single_floors
 from mansion_planner.brief.spelling import corrected, without_slips
 from mansion_planner.brief.spoken_turns import spoken_turns
 from mansion_planner.brief.stacked_flats import stacked_flats
@@ -248,7 +248,9 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
     tokens = stacked_flats(relative_areas(tokens), FLOOR_WORDS)
     tokens = activities(tokens)
-    tokens = counted_compounds(single_floors(tokens, BUILDING_HEADS | lexicon.building_heads), lexicon.building_heads)
+    tokens = counted_compounds(
+        single_floors(single_flats(tokens), BUILDING_HEADS | lexicon.building_heads), lexicon.building_heads
+    )
     tokens = seated_people(garages(tokens, lexicon.building_heads))
     tokens = capacities(owned_by_each(upward_ranges(tokens, FLOOR_WORDS)), lexicon.heads)
     mentions = lexicon.find(tokens)

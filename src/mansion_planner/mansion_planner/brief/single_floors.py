@@ -1,4 +1,4 @@
-"""Read a floor that is all there is: "an office floor of 400 m2", "a hospital floor with 16 rooms"."""
+"""Read what is all of a building: "an office floor of 400 m2", "a ground-floor flat with a patio"."""
 
 from dataclasses import replace
 from typing import Final
@@ -6,7 +6,7 @@ from typing import Final
 from mansion_language import Token
 from mansion_planner.brief.counted_compounds import NAME_ENDS
 
-__all__ = ["single_floors"]
+__all__ = ["single_flats", "single_floors"]
 
 _OPENERS: Final = frozenset({"a", "an", "one", "single", "entire", "whole", "the"})
 _BEFORE: Final = frozenset("design build make create generate plan give me i we want need please us would like".split())
@@ -43,3 +43,33 @@ def single_floors(tokens: list[Token], heads: frozenset[str]) -> list[Token]:
     one = Token("number", "one", floor.start, floor.end, value=1.0)
     storey = replace(floor, text="storey", spaced=False)
     return [*tokens[:first], one, storey, *tokens[first:end], *tokens[end + 1 :]]
+
+
+_FLATS: Final = frozenset({"flat", "apartment", "maisonette", "condo", "studio", "bedsit"})
+_WHERE: Final = frozenset(
+    {"ground", "top", "upper", "lower", "basement", "garden", "first", "second", "third", "fourth"}
+)
+
+_OTHERS: Final = _FLATS | frozenset({"shop", "above", "below", "beneath", "over", "under", "house", "building"})
+"""What else is spoken of where a flat is one of several parts."""
+
+
+def single_flats(tokens: list[Token]) -> list[Token]:
+    """Return the tokens without the storey that a flat lies on, where the brief opens with one flat and that is all.
+
+    Nothing is said of the building around it, which is not built.
+    """
+    begin = 0
+    while begin < len(tokens) and tokens[begin].text in _BEFORE:
+        begin += 1
+    if begin + 2 >= len(tokens) or tokens[begin].text not in ("a", "an", "one", "my", "our"):
+        return tokens
+    at = begin + 1
+    while at < len(tokens) and tokens[at].kind == "word" and tokens[at].text not in _WHERE | _FLATS | NAME_ENDS:
+        at += 1  # "a small ground-floor flat"
+    end = at
+    while end < len(tokens) and (tokens[end].text in _WHERE | _FLOORS or tokens[end].kind in ("ordinal", "level")):
+        end += 1
+    single = end < len(tokens) and tokens[end].text in _FLATS and not tokens[end].plural
+    alone = _OTHERS.isdisjoint(token.text for token in tokens[end + 1 :])
+    return [*tokens[:at], *tokens[end:]] if single and alone and end > at else tokens

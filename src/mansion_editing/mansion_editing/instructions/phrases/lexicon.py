@@ -254,6 +254,8 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
             yield name
             if len(name) > 1 and name[-1].isdecimal():
                 yield name[:-1]
+            if "and" in name:
+                yield tuple(word for word in name if word != "and")  # "the kitchen-living room"
             if len(name) > 1 and name[-1:] in _kinds_of_rooms(state.catalogue) and name[-1] in _PLAIN_KINDS:
                 yield name[-1:]  # "the kitchen" of an eat-in kitchen
             if "and" in name[1:-1]:

@@ -58,6 +58,7 @@ from mansion_editing.instructions.sentences.refinement import (
 )
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.scene_setting import SceneSetting
+from mansion_editing.instructions.sentences.seats import laid_on_seats
 from mansion_editing.instructions.sentences.selecting import with_those_taken
 from mansion_editing.instructions.sentences.states_of_each import with_states_of_each
 from mansion_editing.instructions.sentences.telling import Telling
@@ -144,6 +145,7 @@ class _Reader(
         self.statements = [one_more_there(s, self.statements[:number]) for number, s in enumerate(self.statements)]
         self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
         self.unknown += self._instead_of_nothing() + self._complained_in_vain()
+        self.unknown += laid_on_seats(self.statements)
         self.unknown += [s.quote for s in self.statements if isinstance(s, Mention) and _FOR_ALL.match(s.quote)]
         if not self.unknown:
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
