@@ -1,5 +1,6 @@
 """Clauses that ask for one thing together, put as one order: ``wheel it out of the hall and park it in the shed``."""
 
+import re
 from collections.abc import Sequence
 from typing import Final
 
@@ -57,7 +58,7 @@ def without_misread_pairs(text: str, lexicon: Lexicon) -> str:
     --------
     ``No lights on upstairs`` does not take lights away.
     """
-    return _joined_by(_MISREAD, text, lexicon)
+    return _joined_by(_MISREAD, text, lexicon) if _SUSPECT.search(text) else text
 
 
 def _joined_by(rules: Sequence[Rule], text: str, lexicon: Lexicon) -> str:
@@ -77,6 +78,12 @@ def _joined_by(rules: Sequence[Rule], text: str, lexicon: Lexicon) -> str:
     return "".join([*out, text[end:]])
 
 
+_SUSPECT: Final = re.compile(
+    r"\b(no|nothing)\b.*\b(on|running|burning|lit)\b|\b(lay|set) (the|our|my)\b|\b(its|their)\b"
+    r"|\b(upstairs|downstairs|elsewhere) (leave|keep)\b",
+    re.IGNORECASE | re.DOTALL,
+)
+"""Words without which none of these clauses is said."""
 _MISREAD: Final[tuple[Rule, ...]] = (none_on, table_laid, kept_elsewhere, swapped_with_companions)
 
 _RULES: Final[tuple[Rule, ...]] = (
