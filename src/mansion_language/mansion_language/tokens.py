@@ -11,7 +11,7 @@ from mansion_language.inflection import singular
 from mansion_language.numbers import CARDINALS, ORDINALS, SCALES, SOFT_NUMBERS, figure
 from mansion_language.units import AREA, AREA_PATTERN, LENGTH_PATTERN
 
-__all__ = ["Kind", "Token", "tokenize"]
+__all__ = ["Kind", "Token", "lower_without_accents", "tokenize"]
 
 Kind: TypeAlias = Literal["word", "number", "ordinal", "unit", "level", "mark"]
 
@@ -126,7 +126,7 @@ def tokenize(text: str) -> list[Token]:
     """
     tokens: list[Token] = []
     end = -1
-    for match in _TOKEN.finditer(_lower(text)):
+    for match in _TOKEN.finditer(lower_without_accents(text)):
         if match["hyphen"]:
             end = match.end()
         if match["blank"] or match["hyphen"]:
@@ -137,7 +137,7 @@ def tokenize(text: str) -> list[Token]:
     return _join_number_words(tokens)
 
 
-def _lower(text: str) -> str:
+def lower_without_accents(text: str) -> str:
     """Return lower case without accents, of the same length, so that places stay valid."""
     low = text.lower()
     if len(low) != len(text):

@@ -14,8 +14,10 @@ from mansion_editing.instructions.doing.answering import holds
 from mansion_editing.instructions.doing.carrying_out import carry
 from mansion_editing.instructions.meaning.bare_nouns import with_existing_things
 from mansion_editing.instructions.meaning.brief import asked_of
+from mansion_editing.instructions.meaning.chosen_owners import with_owners_chosen
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
+from mansion_editing.instructions.meaning.vacated import went_away
 from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention, Things, When
 from mansion_editing.runs.policies import Action, Outcome, Policy, Unmet, Verdict
 from mansion_editing.runs.run import run_policy
@@ -137,6 +139,7 @@ def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: b
     brief = asked_of(editor.store.building.program)
     context = replace(context_of(editor), kept=_kept(instruction, editor.state), brief=brief)
     instruction = with_existing_things(instruction, editor.state, context)
+    instruction = with_owners_chosen(instruction, editor.state, context)
     course = _Course(editor.state, context, missed=[unread] if unread else [])
     refused = yield from _carried_out(instruction, course, partly=partly)
     if refused is not None:
@@ -219,7 +222,8 @@ def _carried_out(
             continue
         course.steps.append(step)
         course.replies += [*([done.reply] if done.reply else []), *moved_aside(step)]
-        before, course.context = after, done.context
+        gone = went_away(before, after)
+        before, course.context = after, replace(done.context, vacated=gone or done.context.vacated)
     return None
 
 

@@ -148,7 +148,8 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     size : {"", "largest", "smallest", "tallest", "shortest"}
     hints : tuple of str
         Adjectives of size ("the tall lamp"), which tell one of several by what it measures; comparatives ("a bigger
-        one") also what new things measure, compared with those in whose place they come.
+        one") also what new things measure, compared with those in whose place they come; ``left`` and ``right``, which
+        tell one of two.
     refers : str
         ``last``: what was mentioned last ("it", "them"); ``others``: those of the kind that were not meant
         ("the others").
@@ -198,6 +199,10 @@ class Place(msgspec.Struct, frozen=True, kw_only=True):
         What the front turns to.
     outside : bool
         Anywhere but there ("not on the table").
+    on_floor : bool
+        On the floor of its rooms, not on or in furniture.
+    former : Things, optional
+        What stood there before it went ("in its place", "where the bench stood").
     """
 
     relation: Relation = ""
@@ -209,6 +214,8 @@ class Place(msgspec.Struct, frozen=True, kw_only=True):
     facing: Things | None = None
     rooms: Rooms | None = None
     outside: bool = False
+    on_floor: bool = False
+    former: Things | None = None
 
 
 class _Said(msgspec.Struct, frozen=True, kw_only=True, tag=True):

@@ -15,7 +15,7 @@ from mansion_knowledge import words_by
 from mansion_msgs_py.editing.questions import AssetInfo, ObjectInfo, ObjectList
 from mansion_msgs_py.scene import SceneRoom
 
-__all__ = ["_in_room_program", "find_surfaces", "is_furniture", "relation_of", "rooms_for"]
+__all__ = ["_in_room_program", "find_surfaces", "is_furniture", "relation_of", "rooms_for", "usual_receptacles"]
 
 
 def is_furniture(assets: list[AssetInfo], state: SceneState) -> bool:
@@ -45,7 +45,7 @@ def find_surfaces(where: Scope, state: SceneState, noun: str = "") -> Generator[
     """Return receptacles of a scope with a surface: the usual ones of a noun first, then tables and the like."""
     found: list[tuple[int, str]] = []
     kinds = tuple(vocabulary_of(state.catalogue).nouns(noun)[:1]) if noun else ()
-    usual = _usual_receptacles(state.catalogue, kinds)
+    usual = usual_receptacles(state.catalogue, kinds)
     having = {item.room for _, item in state.objects() if item.category in usual}
     rooms = sorted(rooms_of(where, state), key=lambda name: name not in having)
     for room in rooms[:40]:
@@ -79,7 +79,7 @@ def _in_room_program(state: SceneState, room: SceneRoom, category: str) -> bool:
 
 
 @lru_cache(maxsize=512)
-def _usual_receptacles(catalogue: Catalogue, categories: tuple[str, ...]) -> frozenset[str]:
+def usual_receptacles(catalogue: Catalogue, categories: tuple[str, ...]) -> frozenset[str]:
     """Return the categories of furniture on which the catalogue arranges small objects of some categories."""
     out: set[str] = set()
     for arrangement in catalogue.arrangements.values():

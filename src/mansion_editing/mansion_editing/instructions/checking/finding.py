@@ -99,7 +99,12 @@ def shares_of(place: Place, before: SceneState, after: SceneState, context: Cont
     They are looked up before the statement, so that new things do not become places of it; after it, where none was
     there.
     """
-    if place.relation == "between" or place.outside or (place.anchor is not None and means_doors(place.anchor)):
+    if (
+        place.relation == "between"
+        or place.outside
+        or place.former is not None
+        or (place.anchor is not None and means_doors(place.anchor))
+    ):
         return [place]
     if place.rooms is not None and means_any_in_each_room(place):
         each = rooms_of(before, place.rooms, context)

@@ -23,7 +23,7 @@ from mansion_editing.instructions.meaning.numbers import (
     means_several,
     new_number,
 )
-from mansion_editing.instructions.meaning.sparing import spared_among
+from mansion_editing.instructions.meaning.sparing import is_movable, spared_among, spares_furniture
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Clear, Ensure, Place, Remove, Replace, Things
 from mansion_editing.state import SceneState
@@ -148,9 +148,14 @@ def check_clear(
     statement: Clear, before: SceneState, after: SceneState, context: Context, diff: Differences
 ) -> Finding:
     """Check that nothing loose is left but what is spared, and that only loose things left."""
-    there = _loose_at(statement.place, before, after, before, context)
+    whole = spares_furniture(before, statement, context)
+    there = _loose_at(statement.place, before, after, before, context, furniture=whole)
     spared = spared_among(before, statement.spare, there, context) | context.kept
-    left = [item for item in _loose_at(statement.place, before, after, after, context) if item.id not in spared]
+    left = [
+        item
+        for item in _loose_at(statement.place, before, after, after, context, furniture=whole)
+        if item.id not in spared
+    ]
     bearing = {found[1].parent for name in spared if (found := after.find(name)) is not None}
     left = [item for item in left if item.id not in bearing]
     lost = sorted(spared & set(diff.removed))
@@ -161,11 +166,12 @@ def check_clear(
 
 
 def _loose_at(
-    place: Place, before: SceneState, after: SceneState, state: SceneState, context: Context
+    place: Place, before: SceneState, after: SceneState, state: SceneState, context: Context, *, furniture: bool = False
 ) -> list[SceneObject]:
     """Return what is loose at a place of which something was cleared; all that it may be where nothing was."""
     if place.anchor is None or place.relation not in ("on", "in", ""):
-        return [item for item in all_at(state, [i for _, i in state.objects()], place, context) if is_loose(item)]
+        pool = all_at(state, [i for _, i in state.objects()], place, context)
+        return [item for item in pool if is_loose(item) or (furniture and is_movable(item))]
     holders = anchors_of(before, place, context)
     emptied = {item.parent for _, item in before.objects() if after.find(item.id) is None}
     holders = [item for item in holders if item.id in emptied] or holders[

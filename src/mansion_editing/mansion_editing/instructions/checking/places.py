@@ -9,13 +9,16 @@ from mansion_editing.instructions.checking.differences import Differences, carri
 from mansion_editing.instructions.checking.finding import Finding, any_number, at_shares, numbers_meant, shares_of
 from mansion_editing.instructions.checking.numbers import check_add
 from mansion_editing.instructions.doing.gathering import are_together, gathered
+from mansion_editing.instructions.doing.moving import of_goal_room
+from mansion_editing.instructions.doing.stowing import is_stowed
 from mansion_editing.instructions.doing.work import listed
-from mansion_editing.instructions.meaning.choices import at_home, concerned, from_there
+from mansion_editing.instructions.meaning.choices import at_home, concerned, from_there, things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
 from mansion_editing.instructions.meaning.directions import direction_of, faced_point, rotation_towards
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.phrases.each_other import EACH_OTHER
+from mansion_editing.instructions.phrases.storage import AWAY
 from mansion_editing.instructions.statements import Add, Move, Rooms, Shift, Swap, Turn
 from mansion_editing.state import SceneState
 from mansion_editing.tools.relations import relation_holds
@@ -29,6 +32,9 @@ def check_move(statement: Move, before: SceneState, after: SceneState, context: 
     things, place = statement.things, statement.place
     if place.anchor == EACH_OTHER:
         return _check_gathered(statement, before, after, context, diff)
+    if place == AWAY:
+        return _check_stowed(statement, before, after, context, diff)
+    things = of_goal_room(statement, before, context).things
     fitting = concerned(before, things, context)
     place = at_home(before, things, place, context)
     context = from_there(before, things, place, context)
@@ -72,6 +78,19 @@ def _check_gathered(
     apart = len(now) < len(meant) or len({item.room for item in now}) > 1 or not are_together(after, now)
     went = {item.id for item in meant if item.id in diff.moved}
     reason = f"{thing_words(statement.things)} are not next to each other" if apart else ""
+    return Finding(reason, went | carried_below(before, went), makes_room=True)
+
+
+def _check_stowed(
+    statement: Move, before: SceneState, after: SceneState, context: Context, diff: Differences
+) -> Finding:
+    """Check that the things meant are in furniture of the room where they were."""
+    meant = things_meant(before, statement.things, context)
+    now = [found[1] for item in meant if (found := after.find(item.id)) is not None]
+    stowed = [item for item in now if is_stowed(item, after)]
+    same_room = all(one.room == item.room for one, item in zip(meant, now, strict=False))
+    reason = "" if len(stowed) == len(meant) and same_room else f"{thing_words(statement.things)} is not put away"
+    went = {item.id for item in meant if item.id in diff.moved}
     return Finding(reason, went | carried_below(before, went), makes_room=True)
 
 

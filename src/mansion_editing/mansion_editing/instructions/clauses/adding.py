@@ -78,6 +78,7 @@ class Adding(States, Colours):
 
     def _added_at(self, at: int, place: int, items: list[Item]) -> tuple[list[Statement], int]:
         """Return that things come to their places, with what comes along."""
+        items = self._coming_together(self.text(at), items)
         end = items[-1].end
         structure = self._new_core(items, at, end)
         if structure is not None:
@@ -101,12 +102,6 @@ class Adding(States, Colours):
             out += [msgspec.structs.replace(statement, place=place_too) for statement in out[: len(items)]]
         out = [msgspec.structs.replace(statement, quote=self.quote(at, end)) for statement in out]
         return self.with_companions(out, at, end)
-
-    def _put_away(self, items: list[Item], quote: str) -> list[Statement]:
-        """Read ``put the keyboard on the desk away``: what is there goes."""
-        if any(item.is_room or not (item.phrase.definite or item.phrase.refers) for item in items):
-            raise NotUnderstood(items[0].phrase.start, items[-1].end)
-        return [self._removed(items, item, (), (), quote) for item in items]
 
     def _fronted_holder(self, at: int, place: int) -> int:
         """Read ``inside`` and ``on it`` before what is new ("put inside two apples") into the frame; 0 for others."""

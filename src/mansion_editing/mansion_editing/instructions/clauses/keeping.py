@@ -39,6 +39,11 @@ class Keeping(Staying, Wishes, TooMany, Arranging, Removing):
 
     def _staying(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``only the candles may stay on it``, an exception to what was cleared before."""
+        whole = self._only_stays(at, placed=False)
+        places, end = ((), 0) if whole is None else self.places(whole[1])
+        place = joined_places(list(places))[0] if places else self.frame
+        if whole is not None and place.anchor is not None and place.anchor.noun and place.relation in ("on", "in"):
+            return [Clear(place=place, spare=whole[0], quote=self.quote(at, end))], end
         staying = self._only_stays(at)
         if staying is None or self.places(staying[1])[0]:
             return None

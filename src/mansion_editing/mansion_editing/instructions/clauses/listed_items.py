@@ -11,7 +11,7 @@ from mansion_editing.instructions.clauses.items import Item, NotUnderstood, TwoR
 from mansion_editing.instructions.clauses.placed_items import PlacedItems
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase
-from mansion_editing.instructions.phrases.places import ReadPlace, merged
+from mansion_editing.instructions.phrases.places import SUPERLATIVES, ReadPlace, merged
 from mansion_editing.instructions.phrases.words import DETERMINERS
 from mansion_editing.instructions.statements import Amount, Place, Relation
 
@@ -19,6 +19,9 @@ __all__ = ["ListedItems"]
 
 _HOLDING: Final = frozenset(["on", "in", "under"])
 """Relations to furniture that carries or covers things."""
+
+
+_TAKING: Final = frozenset("remove take throw get move bring carry delete".split())
 
 
 class ListedItems(PlacedItems):
@@ -54,9 +57,8 @@ class ListedItems(PlacedItems):
                 if found:
                     return found
                 raise NotUnderstood(at, self.boundary(at))
-            instead = (self.text(item.end), self.text(item.end + 2)) == ("in", "place") and not item.phrase.definite
-            if found and instead and self.words[item.end + 1].raw in ("its", "their"):
-                return found
+            if found and not item.phrase.definite and any(p.place.former is not None for p in item.places):
+                return found  # "remove the fridge, two plants in its place"
             placed = self._participle(item.phrase.end)
             new = placed is not None and placed[0] == "add" and not item.phrase.definite
             if found and (self._is_way(item.phrase) or new):
@@ -70,6 +72,13 @@ class ListedItems(PlacedItems):
             if shares is not None:
                 found[-1] = shares
                 return found
+            if found and self._tells_which(found[-1], item):
+                found[-1] = Item(found[-1].phrase, (*found[-1].places, *item.places), item.end)
+                after = self.conjunction(item.end)
+                if not after or self.starts_clause(after):
+                    return found
+                at = after
+                continue
             if found and self._tells_where_holder_is(found[-1], item):
                 last = found[-1].places[-1]
                 whole = replace(last, place=merged(last.place, item.goal()[0]), end=item.end)
@@ -92,6 +101,13 @@ class ListedItems(PlacedItems):
         counted = phrase.amount.kind in ("some", "at_least") and not phrase.amount.of
         ends = item.end >= len(self.words) or self.words[item.end].kind == "mark"
         return bare and open_number and counted and ends and self.text(phrase.start - 1) == ","
+
+    def _tells_which(self, before: Item, item: Item) -> bool:
+        """Whether an item only tells which one before it is meant: ``four tables, the ones nearest the bar``."""
+        one = item.phrase.noun.words == ("one",) and item.phrase.definite and bool(item.places)
+        apposed = self.text(item.phrase.start - 1) == "," and not any(p.source or p.goal for p in item.places)
+        named = bool(before.phrase.noun.words) and before.phrase.noun.words != ("one",) and not before.is_room
+        return one and apposed and named and before.phrase.plural == item.phrase.noun.plural
 
     def _shared_out(self, before: Item, item: Item) -> Item | None:
         """Read ``two plants in the offices, one each``: one in each of the two; None for others.
@@ -155,7 +171,8 @@ class ListedItems(PlacedItems):
         last = before[-1] if before else None
         if last is not None and self._belongs_to(item, last):
             relation: Relation = "around" if self.lexicon.stands(item.phrase.noun.words) else "on"
-            there = ReadPlace(Place(relation=relation, anchor=last.phrase.things()), item.phrase.end, item.phrase.end)
+            owner = Item(last.phrase, tuple(p for p in last.places if not p.goal), last.end).things()
+            there = ReadPlace(Place(relation=relation, anchor=owner), item.phrase.end, item.phrase.end)
             return Item(item.phrase, (replace(there, relative=True), *item.places), item.end)
         if last is None or not item.places:
             return item
@@ -176,8 +193,11 @@ class ListedItems(PlacedItems):
 
     def _belongs_to(self, item: Item, before: Item) -> bool:
         """Whether a thing is that of the furniture named before it: ``the table and its four chairs``."""
-        own = self.words[item.phrase.start].raw == ("their" if before.phrase.noun.plural else "its")
-        named = item.phrase.noun.kind == "object" and before.phrase.noun.kind == "object" and before.phrase.definite
+        several = before.phrase.noun.plural and before.phrase.amount.number != 1
+        own = self.words[item.phrase.start].raw == ("their" if several else "its")
+        certain = before.phrase.definite or any(p.place.relation in SUPERLATIVES for p in before.places)
+        certain = certain or any(word.text in _TAKING for word in self.words[: before.phrase.start])
+        named = item.phrase.noun.kind == "object" and before.phrase.noun.kind == "object" and certain
         return own and named and not before.is_room and self.lexicon.stands(before.phrase.noun.words)
 
     def _at_their_holder(self, item: Item, before: Item) -> Item:

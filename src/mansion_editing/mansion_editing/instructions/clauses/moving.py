@@ -39,7 +39,7 @@ class Moving(Shifting):
         shifted = self._shifted(at, place)
         if shifted is not None:
             return shifted
-        items = self.items(place)
+        items = self._coming_together(self.text(at), self.items(place))
         end, besides = self.exceptions(items[-1].end)
         if any(item.is_room for item in items):
             raise NotUnderstood(place, end)
@@ -68,6 +68,8 @@ class Moving(Shifting):
             things = item.phrase.things()
             if source != Place():
                 things = with_place(things, source)
+            if goal.spot and goal.anchor is None and goal.rooms is None and self.frame.rooms is not None:
+                goal = self._framed((goal, False))[0]  # "in the study, move the desk to the window"
             spared = tuple(msgspec.structs.replace(one, noun=one.noun or things.noun) for one in besides)
             things = msgspec.structs.replace(things, beside=spared)
             if self._comes_beside(item, own, goal):
@@ -192,8 +194,8 @@ class Moving(Shifting):
             return [Swap(one=old[0].rooms(), other=new[0].rooms(), quote=quote)], end
         swapped = self.text(at) in ("swap", "exchange", "trade", "interchange")
         if swapped and len(new) == 1 and new[0].phrase.definite and not new[0].phrase.refers:
-            pair = [self._within_frame(item.things()) for item in (old[0], new[0])]
-            return [Swap(one=pair[0], other=pair[1], quote=quote)], end
+            first, second = (self._within_frame(item.things()) for item in (old[0], new[0]))
+            return [Swap(one=first, other=_beside_it(second, first), quote=quote)], end
         out: list[Statement] = []
         for item in old:
             things = item.things()
@@ -227,6 +229,15 @@ class Moving(Shifting):
         if first is not None and other is not None and other.phrase.definite and not first.phrase.definite:
             return self.until(first.end).items(at)
         return self.items(at)
+
+
+def _beside_it(other: Things, one: Things) -> Things:
+    """Return ``the clock next to it`` as the one next to what it is swapped with."""
+    place = other.place
+    anchor = None if place is None else place.anchor
+    if place is None or anchor is None or anchor.refers != "last" or anchor.noun:
+        return other
+    return msgspec.structs.replace(other, place=msgspec.structs.replace(place, anchor=one))
 
 
 def _names_two(item: Item) -> bool:

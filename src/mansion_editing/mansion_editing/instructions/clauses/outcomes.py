@@ -1,13 +1,15 @@
 """What items with their places amount to: things that are there, new, given, gone or elsewhere."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Final
 
 import msgspec
 
-from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.sentence import Sentence
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
+from mansion_editing.instructions.phrases.storage import AWAY
 from mansion_editing.instructions.phrases.word_sets import BEFORE_SPOTS, NO_FRONTED_PLACES
 from mansion_editing.instructions.statements import (
     Add,
@@ -33,6 +35,10 @@ __all__ = [
     "places_besides",
 ]
 
+_CARRYING: Final = frozenset(
+    "bring carry fetch get deliver move take shift transfer transport haul push pull roll wheel slide drag".split()
+)
+"""Verbs of what goes somewhere else than where it is."""
 _RUBBISH: Final = frozenset("rubbish trash garbage dump skip tip landfill".split())
 """Where things go that leave the building."""
 _FACED: Final[dict[str, Spot]] = {"window": "window", "door": "door", "doorway": "door", "wall": "wall"}
@@ -48,6 +54,14 @@ class Outcomes(Sentence):
         spot = _FACED.get(self.text(at))
         return None if spot is None else (spot, at + 1)
 
+    def _put_away(self, items: list[Item], quote: str) -> list[Statement]:
+        """Read ``put the keyboard on the desk away``: what is there is kept in furniture of its room."""
+        if any(item.is_room or not (item.phrase.definite or item.phrase.refers) for item in items):
+            raise NotUnderstood(items[0].phrase.start, items[-1].end)
+        shared = () if any(item.places for item in items[:-1]) else items[-1].places
+        whole = [Item(item.phrase, item.places or shared, item.end).things() for item in items]
+        return [Move(things=self._all_if_plural(self._within_frame(one)), place=AWAY, quote=quote) for one in whole]
+
     def _shared_goal(self, items: Sequence[Item], item: Item) -> tuple[Place, bool]:
         """Return where a thing of several goes: its own place, else the next one's, else the last before it."""
         at = items.index(item)
@@ -59,6 +73,21 @@ class Outcomes(Sentence):
             if goal[0].anchor is not None or goal[0].rooms is not None:
                 return goal
         return Place(), False
+
+    def _coming_together(self, verb: str, items: list[Item]) -> list[Item]:
+        """Return the things of a list that all go where the last one does, each with where it comes from.
+
+        ``Carry the desk near the window and the chair over to the store`` brings both there.
+        """
+        aimed = tuple(p for p in items[-1].places if p.goal and self.text(p.start) in ("to", "over", "up", "down"))
+        if verb not in _CARRYING or not aimed:
+            return items
+        out: list[Item] = []
+        for item in items[:-1]:
+            stays = bool(item.places) and not any(p.goal or p.source for p in item.places)
+            whence = tuple(replace(p, source=True) for p in item.places)
+            out.append(Item(item.phrase, (*whence, *aimed), item.end) if stays else item)
+        return [*out, items[-1]]
 
     def _source_and_goal(self, places: Sequence[ReadPlace]) -> tuple[Place, Place, bool]:
         """Return where things come from and where they go: the goal begins with ``to``, or is the last place."""
@@ -115,8 +144,6 @@ class Outcomes(Sentence):
         phrase = item.phrase
         if self._joins(item, goal):
             goal = msgspec.structs.replace(goal, relation="beside")  # "one more chair to each table"
-        if goal.relation == "above" and self.lexicon.is_loose(phrase.noun.words):
-            goal = msgspec.structs.replace(goal, relation="on")  # "a blanket over the armchair"
         shared = item.places or not any(other.places for other in items)
         source = joined_places([p for p in item.places if p.source])[0] if shared else Place()
         whence = phrase.definite or phrase.refers or source != Place()
@@ -127,6 +154,7 @@ class Outcomes(Sentence):
         if phrase.refers == "last" and not phrase.noun.words and phrase.amount.number and to_them:
             more = Things(refers="last", amount=Amount(kind="more", number=phrase.amount.number), plural=phrase.plural)
             return Add(things=more, place=Place(rooms=Rooms(same=True)), quote=quote)
+        goal = self._laid_over(item, goal)
         partitive = self._is_partitive(phrase)
         begun = partitive and _begins_in_bare_room(item.places)
         if (
@@ -136,6 +164,10 @@ class Outcomes(Sentence):
         ):
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
+            goal = self._laid_over(item, goal)
+        other = self._other_furniture(item) if phrase.definite else 0
+        if other:
+            source, goal = (joined_places(part)[0] for part in (item.places[:other], item.places[other:]))
         moved = (
             phrase.definite
             or partitive
@@ -151,6 +183,18 @@ class Outcomes(Sentence):
         if source != Place():
             things = with_place(things, self._framed((source, False))[0] if source.rooms is None else source)
         return Move(things=things, place=goal, or_new=source == Place() and not phrase.refers, quote=quote)
+
+    def _other_furniture(self, item: Item) -> int:
+        """Return which place is on other furniture than where a thing is: ``the mug in the cupboard on the desk``."""
+        told = [k for k, p in enumerate(item.places) if p.place.anchor is not None and p.place.relation in ("on", "in")]
+        plain = len(told) == 2 and not any(p.source or p.goal or p.relative for p in item.places)
+        names = [tuple(p.place.anchor.noun.split()) for p in item.places if p.place.anchor is not None]
+        return told[1] if plain and len(names) == 2 and all(map(self.lexicon.stands, names)) else 0
+
+    def _laid_over(self, item: Item, goal: Place) -> Place:
+        """Return ``a blanket over the armchair`` as on it."""
+        loose = goal.relation == "above" and self.lexicon.is_loose(item.phrase.noun.words)
+        return msgspec.structs.replace(goal, relation="on") if loose else goal
 
     def _joins(self, item: Item, goal: Place) -> bool:
         """Whether furniture comes ``to`` other furniture that it cannot stand on, and so beside it."""
@@ -186,7 +230,10 @@ class Outcomes(Sentence):
         if not item.places:
             return self._added([whole], whole, quote)
         source, _ = self._framed(joined_places(list(item.places)))
-        goal, _ = self._framed(joined_places([p for p in places if not p.source]))
+        goals = [p for p in places if not p.source]
+        goal, _ = self._framed(joined_places(goals))
+        if self._joins(Item(item.phrase, tuple(goals), item.end), goal):
+            goal = msgspec.structs.replace(goal, relation="beside")  # "the chair goes to the desk"
         things = with_place(item.phrase.things(), source)
         return Move(things=self._all_if_plural(things), place=goal, quote=quote)
 
@@ -303,7 +350,8 @@ def places_besides(item: Item, other: Item) -> tuple[ReadPlace, ...]:
 def goes_on_from_a_room(places: Sequence[ReadPlace]) -> bool:
     """Whether places begin with where something is, and a goal follows: ``in the storage to the lobby``."""
     named = [read.place.anchor is not None or bool(read.place.rooms and read.place.rooms.words) for read in places]
-    told = next((k for k, read in enumerate(places) if read.goal and named[k]), 0)
+    aside = [read.place.relation in ("left", "right") for read in places]
+    told = next((k for k, read in enumerate(places) if read.goal and named[k] and not aside[k]), 0)
     rooms = [place.place.rooms for place in places[:told]]
     return told > 0 and any(room is not None and room.words for room in rooms)
 

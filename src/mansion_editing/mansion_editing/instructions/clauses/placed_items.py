@@ -87,11 +87,12 @@ class PlacedItems(Spans):
         mark, holder = near.place.anchor, surface.anchor
         if mark is None or holder is None or mark.place is not None or holder.refers:
             return None
-        carried = surface.relation in ("on", "in") and near.place.relation in BESIDE_RELATIONS
+        carried = surface.relation in ("on", "in") and near.place.relation in BESIDE_RELATIONS | {"between"}
         small = not self.lexicon.stands(tuple(mark.noun.split())) and not mark.refers
         if not carried or not small or not self.lexicon.stands(tuple(holder.noun.split())):
             return None
-        inner = msgspec.structs.replace(near.place, anchor=with_place(mark, surface))
+        second = None if near.place.other is None else with_place(near.place.other, surface)
+        inner = msgspec.structs.replace(near.place, anchor=with_place(mark, surface), other=second)
         return replace(there[0], place=inner, end=near.end)
 
     def _mark_after_comma(self, at: int) -> ReadPlace | None:

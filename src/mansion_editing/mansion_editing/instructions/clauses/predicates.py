@@ -121,11 +121,9 @@ class Predicates(States, Colours, Ways):
 
     def _said_participle(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         found = self._participle(place)
-        if found is None:
+        if found is None or negated or self._tells_of_past(item.end, place):
             return None
         deed, after = found
-        if negated:
-            return None
         if deed == "remove":
             places, end = self.places(after)
             things = self._all_if_plural(Item(item.phrase, (*item.places, *places), end).things())
@@ -135,6 +133,11 @@ class Predicates(States, Colours, Ways):
         if deed in ("move", "add"):
             return self._said_put(item, deed, after, at)
         return self._said_changed(item, deed, after, at)
+
+    def _tells_of_past(self, start: int, end: int) -> bool:
+        """Whether words before a participle say that it was done: ``were furnished like a nursery``."""
+        said = {word.text for word in self.words[start:end]}
+        return bool(said & {"was", "were"}) and not said & (MODALS | {"if"})
 
     def _said_cleared(self, item: Item, after: int, at: int) -> tuple[list[Statement], int]:
         """Read ``should be cleared of mugs``, ``must be empty but for the lamp``, up to the end of the participle."""

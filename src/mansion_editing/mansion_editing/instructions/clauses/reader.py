@@ -115,6 +115,19 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         moved = [self._all_if_plural(with_place(item.phrase.things(), source)) for item in items]
         return [Move(things=things, place=goal, quote=quote) for things in moved], end
 
+    def _goes_there(self, items: Sequence[Item], at: int) -> tuple[list[Statement], int] | None:
+        """Read ``all of the dishes into the sink``: without a verb, what is there goes somewhere."""
+        places = items[-1].places
+        aimed = any(p.goal and self.text(p.start) in ("into", "onto", "to") for p in places)
+        known = all((item.phrase.definite or item.phrase.refers) and not item.is_room for item in items)
+        if not aimed or not known:
+            return None
+        source, goal, _ = self._source_and_goal(places)
+        quote = self.quote(at, items[-1].end)
+        named = [item.phrase.things() for item in items]
+        moved = [self._all_if_plural(things if source == Place() else with_place(things, source)) for things in named]
+        return [Move(things=things, place=goal, quote=quote) for things in moved], items[-1].end
+
     def _is_counted_out(self, item: Item) -> bool:
         """Whether an article or a number asks for so many more: ``two plants for the lobby``."""
         phrase = item.phrase
@@ -129,6 +142,12 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         leaving = bool(places) and places[0].source and not any(p.goal for p in places)
         counted = items[0].phrase.amount.kind in ("all", "all_but", "half", "some")
         return leaving and counted and self.text(places[0].start) in ("out", "off") and not items[0].phrase.refers
+
+    def _each_for_itself(self, items: Sequence[Item], item: Item, quote: str, *, own: bool) -> list[Statement]:
+        """Return that one of several things leaves, or is where its own place says."""
+        if not own or self._all_leave([item]):
+            return [self._removed([item] if own else items, item, (), (), quote)]
+        return self._there(item, self._shared_goal([item], item), quote)
 
     def _comes_in_notes(self, items: Sequence[Item], after: int) -> bool:
         """Whether notes say that new things come in: ``the shelf out, an exam table in``."""
@@ -146,12 +165,14 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         if self._is_way(items[0].phrase):
             return self._way(at, items[0].phrase.end)
         end = items[-1].end
-        carried = self._carried_over(items, at)
+        carried = self._carried_over(items, at) or self._goes_there(items, at)
         if carried is not None:
             return carried
-        if self._all_leave(items):
+        leaving = [self._all_leave([item]) for item in items]
+        if self._all_leave(items) or (any(leaving) and all(item.places for item in items)):
             quote = self.quote(at, end)
-            return [self._removed(items, item, (), (), quote) for item in items], end
+            own = any(leaving) and not all(leaving)  # "the towels on the rack, the bottle off the sink"
+            return [s for item in items for s in self._each_for_itself(items, item, quote, own=own)], end
         out: list[Statement] = []
         found = self._states_after(items, end, at)
         if found is not None:

@@ -30,6 +30,8 @@ class Removing(Moving):
             return self._move(at, place)
         if self.text(at) == "put" and any(_holds(p.place) for p in items[-1].places if not (p.source or p.relative)):
             return self._move(at, place)  # "put away the mugs in the cupboard"
+        if self.text(at) == "put":
+            return self._put_away(items, self.quote(at, end)), end
         while self.text(end) in AWAY:
             end += 1
         more, end = self.places(end)
@@ -104,15 +106,15 @@ class Removing(Moving):
         place = Place(relation="" if wholly else "on", anchor=item.phrase.things())
         return [Clear(place=place, spare=spare, quote=self.quote(at, end))], end
 
-    def _only_stays(self, at: int) -> tuple[tuple[Things, ...], int] | None:
-        """Read ``: only the laptop may remain``, ``, only the candles stay on it``."""
+    def _only_stays(self, at: int, *, placed: bool = True) -> tuple[tuple[Things, ...], int] | None:
+        """Read ``: only the laptop may remain``, ``, only the candles stay on it``; with the place where it is told."""
         place = at
         while self.text(place) in (",", ":", "-", "and", "but", "so", "that"):
             place += 1
         but = self.text(place) == "nothing" and self.text(place + 1) in ("but", "except")
         if not (but or self.text(place) in ("only", "just")) or self.item(place + 1 + but) is None:
             return None
-        items = self.items(place + 1 + but)
+        items = self._listed_up_to_verb(place + 1 + but)
         end = items[-1].end
         while self.text(end) in MODALS or self.text(end) in ("be", "is", "are", "to"):
             end += 1
@@ -124,8 +126,16 @@ class Removing(Moving):
         places, stop = self.places(end)
         anchor = joined_places(list(places))[0].anchor
         on_it = anchor is not None and anchor.refers == "last" and not anchor.noun
-        end = stop if on_it or all(item.phrase.definite for item in items) else end
+        end = stop if placed and (on_it or all(item.phrase.definite for item in items)) else end
         return tuple(self._all(item.phrase.things()) for item in items), end
+
+    def _listed_up_to_verb(self, at: int) -> list[Item]:
+        """Read things joined by commas and ``and`` that a verb follows: ``the mug and one cup may stay``."""
+        found: list[Item] = []
+        while at and (item := self.item(at)) is not None:
+            found.append(item)
+            at = self.conjunction(item.end)
+        return found
 
     def _tidy(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``tidy the hall``, which by itself asks for nothing that can be checked."""

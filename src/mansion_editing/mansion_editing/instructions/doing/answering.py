@@ -1,5 +1,6 @@
 """Ask: questions about the building, answered from the scene in whole sentences."""
 
+from collections import Counter
 from collections.abc import Sequence
 
 import msgspec
@@ -149,9 +150,15 @@ def _count(question: Ask, found: Sequence[SceneObject], said: str, state: SceneS
         return f"There are {counted(0, _noun(question))}{said or ' in the building'}."
     by_room = {room: sum(item.room == room for item in found) for room in dict.fromkeys(i.room for i in found)}
     if len(by_room) == 1 and said:
-        return f"There {verb} {counted(len(found), _noun(question))}{said}."
+        return f"There {verb} {counted(len(found), _noun(question))}{said}{_by_kind(found)}."
     spread = ", ".join(f"{number} in {room_title(state, room)}" for room, number in by_room.items())
     return f"There {verb} {counted(len(found), _noun(question))}{said or ' in the building'}: {spread}."
+
+
+def _by_kind(found: Sequence[SceneObject]) -> str:
+    """Return how many of each kind things are, where a word fits several kinds: servers' racks and racks for shoes."""
+    kinds = Counter(item.category.replace("_", " ") for item in found)
+    return f": {', '.join(counted(number, kind) for kind, number in kinds.items())}" if len(kinds) > 1 else ""
 
 
 def _exists(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:

@@ -63,6 +63,9 @@ def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
     chosen = [item for item in chosen if item.id in ready]
     if not chosen:
         raise Unmet(f"{thing_words(things)} cannot be {word}")
+    left_out = [item for item in found if item.id not in ready]
+    if left_out and things.amount.kind == "all" and things.amount.number > 1:
+        raise Unmet(f"{listed(left_out)} cannot be {word}, only {listed(chosen)}")
     changing = [item for item in chosen if item.id in other]
     for item in changing:
         yield from ask(f"{item.id} should be {word}.", "SetState", {"object_id": item.id, name: value})

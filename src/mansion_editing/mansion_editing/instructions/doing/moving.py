@@ -8,10 +8,12 @@ from typing import Any, Final
 
 import msgspec
 
+from mansion_editing.instructions.doing.former_spots import move_to_former_spot
 from mansion_editing.instructions.doing.gathering import gather
 from mansion_editing.instructions.doing.new_assets import counters_by
 from mansion_editing.instructions.doing.providing import add, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
+from mansion_editing.instructions.doing.stowing import stow
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
 from mansion_editing.instructions.meaning.choices import at_home, from_there, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context, ambiguous
@@ -23,6 +25,8 @@ from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.targets import Target, names_any, places_of
 from mansion_editing.instructions.meaning.wording import bare_words, place_words, thing_words
 from mansion_editing.instructions.phrases.each_other import EACH_OTHER
+from mansion_editing.instructions.phrases.places import with_place
+from mansion_editing.instructions.phrases.storage import AWAY
 from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
 from mansion_editing.provisioning.facts import Scope
 from mansion_editing.provisioning.making_room import move_after_clearing
@@ -34,7 +38,7 @@ from mansion_editing.tools.perception import object_info
 from mansion_editing.tools.tops import carries_on_top
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["facing_rotation", "move", "swap", "turn"]
+__all__ = ["facing_rotation", "move", "of_goal_room", "swap", "turn"]
 
 
 _QUARTER: Final = 90.0
@@ -53,8 +57,13 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     """Bring things that are there to a place; new ones only where words allow it and none is in the building."""
     if statement.place.anchor == EACH_OTHER:
         return (yield from gather(statement, state, context))
+    statement = _to_its_spot(statement, state, context)
+    if statement.place.former is not None:
+        return (yield from move_to_former_spot(statement, state, context))
+    if statement.place == AWAY:
+        return (yield from stow(statement, state, context))
     statement = _of_another(statement, context)
-    statement = _of_those_before(_of_goal_room(statement, state, context), state, context)
+    statement = _of_those_before(of_goal_room(statement, state, context), state, context)
     things, place = statement.things, statement.place
     found = things_of(state, things, context)
     if place == Place() or (place == Place(rooms=Rooms(same=True)) and _OUT_OF_THERE.search(statement.quote)):
@@ -78,7 +87,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
             return Done(said, replace(after, assumed=frozenset(item.id for item in arrived)))
     place = at_home(state, things, place, context)
     place, context = _on_other_storey(state, things, place, context)
-    targets = _targets(state, place, context, found if len(found) == 1 else ())
+    targets = _targets(state, place, context, found, found if len(found) == 1 else ())
     there = _already_there(state, found, place, targets, context)
     away = [item for item in found if item.id not in there]
     single = not things.plural and things.amount.number <= 1 and things.amount.kind in ("some", "all")
@@ -106,6 +115,18 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     source = tuple(dict.fromkeys(item.room for item in chosen))
     context = context.followed((), source, "") if len(source) == 1 else context
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _to_its_spot(statement: Move, state: SceneState, context: Context) -> Move:
+    """Return ``hang the painting there`` as where the clock was that went, if the painting is in that room already."""
+    if statement.place != Place(rooms=Rooms(same=True)) or not context.vacated or statement.things.refers:
+        return statement
+    here = Place(rooms=Rooms(words=context.vacated[0].room))
+    things = statement.things if statement.things.place is not None else with_place(statement.things, here)
+    if context.vacated[0].room not in context.rooms or not things_of(state, things, context):
+        return statement
+    spot = Place(former=Things(refers="last", definite=True))
+    return msgspec.structs.replace(statement, things=things, place=spot)
 
 
 def _refuse_other_looks(state: SceneState, things: Things, place: Place, context: Context) -> None:
@@ -162,10 +183,15 @@ def _of_another(statement: Move, context: Context) -> Move:
     return msgspec.structs.replace(statement, things=other)
 
 
-def _of_goal_room(statement: Move, state: SceneState, context: Context) -> Move:
-    """Return ``the smallest plant in the lounge on the table`` as the smallest of the lounge, not of the building."""
+def of_goal_room(statement: Move, state: SceneState, context: Context) -> Move:
+    """Return what goes somewhere within a room as what is in that room, where it has such things.
+
+    ``The smallest plant in the lounge on the table`` is the smallest of the lounge, not of the building; ``the boxes in
+    the store on the floor`` are those of the store.
+    """
     things, rooms = statement.things, statement.place.rooms
-    told = things.size or things.ordinal or things.hints
+    within = statement.place.anchor is not None or bool(statement.place.spot)
+    told = things.size or things.ordinal or things.hints or (within and _is_bare_plural(statement))
     if rooms is None or not told or things.place is not None or things.owned or things.refers:
         return statement
     there = msgspec.structs.replace(things, place=Place(rooms=rooms))
@@ -225,12 +251,16 @@ def _new(things: Things) -> Things:
     return msgspec.structs.replace(things, definite=False, place=None, owned="")
 
 
-def _targets(state: SceneState, place: Place, context: Context, moving: Sequence[SceneObject]) -> list[Target]:
+def _targets(
+    state: SceneState, place: Place, context: Context, found: Sequence[SceneObject], moving: Sequence[SceneObject]
+) -> list[Target]:
     if place.outside:
         raise Unmet(f"say where to, not only {place_words(place)}")
     if place.anchor is None and place.rooms is None:
         return []
-    targets = places_of(state, place, context, besides={item.id for item in moving})
+    storeys = {item.room.split("/", 1)[0] for item in found}
+    besides = {item.id for item in moving}
+    targets = places_of(state, place, context, fits=lambda room: storeys == {room.split("/", 1)[0]}, besides=besides)
     if not targets:
         raise Unmet(f"there is nothing {place_words(place)}: no such thing is there")
     return targets
@@ -272,12 +302,17 @@ def _refuse_scattered(
     Ambiguous
     """
     things = statement.things
-    bare = things.definite and things.plural and things.amount.kind in ("some", "all") and not things.amount.number
-    bare = bare and not _WHOLE.search(statement.quote)
-    told = things.place is not None or things.owned or things.refers or things.colour or things.material
     rooms = list(dict.fromkeys(item.room for item in away))
-    if bare and not told and len(rooms) > 1 and not here and not set(rooms) & set(context.rooms):
+    if _is_bare_plural(statement) and len(rooms) > 1 and not here and not set(rooms) & set(context.rooms):
         raise ambiguous(thing_words(things), [f"those in {room_title(state, room)}" for room in rooms], rooms)
+
+
+def _is_bare_plural(statement: Move) -> bool:
+    """Whether ``the boots`` move, of which nothing tells where they are, nor that all of them are meant."""
+    things = statement.things
+    bare = things.definite and things.plural and things.amount.kind in ("some", "all") and not things.amount.number
+    told = things.place is not None or things.owned or things.refers or things.colour or things.material
+    return bare and not told and not _WHOLE.search(statement.quote)
 
 
 def _moved_to_any(
@@ -291,7 +326,7 @@ def _moved_to_any(
                 reasons.append(answer.error.info.message)
                 continue
             new = _id_after(item.id, answer.value.object_ids, state)
-            if not _only_inside(new, place, target, state):
+            if not (_only_inside(new, place, target, state) or _hidden(new, place, target, state)):
                 return new
             (item,) = live(state, [new])
             reasons.append(f"there is no free place on {arguments['receptacle_id']} for {item.id}, only in it")
@@ -312,6 +347,15 @@ def _only_inside(object_id: str, place: Place, target: Target, state: SceneState
     asset = None if target.anchor is None else state.asset(target.anchor)
     (item,) = live(state, [object_id])
     return place.relation == "on" and asset is not None and carries_on_top(asset) and item.mount == "inside"
+
+
+def _hidden(object_id: str, place: Place, target: Target, state: SceneState) -> bool:
+    """Whether an object that was brought to a room went into furniture that has a top to put it on."""
+    (item,) = live(state, [object_id])
+    holder = None if item.parent is None else state.find(item.parent)
+    asset = None if holder is None else state.asset(holder[1])
+    anywhere = target.anchor is None and not place.relation and item.mount == "inside"
+    return anywhere and asset is not None and carries_on_top(asset)
 
 
 def _only_on_top(object_id: str, place: Place, target: Target, state: SceneState) -> bool:
@@ -337,13 +381,13 @@ def _ways(
         holder = target.anchor.parent if is_loose(item) else None
         tops = counters_by(target.anchor, place, state) if item.mount != "floor" and is_loose(item) else []
         return [{"receptacle_id": name, **wishes} for name in (*tops, holder or target.room)]
-    if own:
+    if own and not place.on_floor:
         return [wishes]
-    if not is_loose(item) or place.spot:
+    if own or not is_loose(item) or place.spot or place.on_floor:
         return [{"receptacle_id": target.room, **wishes}]
     surfaces = yield from find_surfaces(Scope("room", "", (target.room,)), state, item.name or item.category)
     ways = [{"receptacle_id": surface, **wishes} for surface in surfaces[:MOST_CARRIERS] if surface != item.id]
-    return [*ways, {"receptacle_id": target.room, **wishes}]
+    return ways if item.toggleable else [*ways, {"receptacle_id": target.room, **wishes}]  # no microwave on the floor
 
 
 def _id_after(old: str, changed: Sequence[str], state: SceneState) -> str:
@@ -374,7 +418,9 @@ def swap(statement: Swap, state: SceneState, context: Context) -> Work:
 
 def turn(statement: Turn, state: SceneState, context: Context) -> Work:
     """Turn things where they stand."""
-    items = things_meant(state, statement.things, context)
+    marks = [] if statement.facing is None else things_of(state, statement.facing, context)
+    rooms_of_marks = {mark.room for mark in marks}
+    items = things_meant(state, statement.things, context, lambda item: {item.room} == rooms_of_marks)
     replies = []
     for item in items:
         turns = _rotations(statement, item, state, context)

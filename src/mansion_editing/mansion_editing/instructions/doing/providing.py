@@ -23,7 +23,9 @@ from mansion_editing.instructions.meaning.numbers import (
     new_number,
 )
 from mansion_editing.instructions.meaning.targets import Target, places_of
+from mansion_editing.instructions.meaning.vacated import vacated_by
 from mansion_editing.instructions.meaning.wording import (
+    at_words,
     bare_words,
     counted,
     place_in,
@@ -54,6 +56,9 @@ MOST_NEW = 100
 _WHOLE: Final = re.compile(r"\b(all|each|every|any|both|whatever)\b", re.IGNORECASE)
 """Words for things of which each is replaced by one; ``the two chairs`` are replaced by ``a bench`` together."""
 
+_ONE_FOR_ALL: Final = re.compile(r"\b(?:by|with|for) (?:just |only )?(?:one|a single|1)\b", re.IGNORECASE)
+"""Words for one new thing in place of all; of ``both lamps by a candle`` each is replaced."""
+
 Made = Generator[Action, Outcome, list[str]]
 """Ends with the ids of new objects."""
 
@@ -82,6 +87,9 @@ def add(statement: Add, state: SceneState, context: Context) -> Work:
     if number > MOST_NEW:
         raise Unmet(f"{number} things are more than one instruction brings; at most {MOST_NEW}")
     known = {item.id for _, item in state.objects()}
+    if place.former is not None:
+        there = yield from _in_place_of(vacated_by(state, place.former, context), things, number, state)
+        return _added_reply(things, place, 0, there, state, context)
     groups = yield from _groups(things, place, state, context, each=statement.each)
     if place.anchor is not None and place.anchor.amount.of:  # on one of the desks: first on those without such a thing
         groups = [sorted(g, key=lambda target: len(at_target(state, things, place, target, context))) for g in groups]
@@ -388,11 +396,11 @@ def _place_one(
         return (
             yield from place_any(assets, target.anchor.parent, "on", colour=colour, name=things.noun, wishes=wishes)
         )
-    for top in [] if stands or target.anchor is None else counters_by(target.anchor, place, state):
+    for top in [] if stands or target.anchor is None or place.on_floor else counters_by(target.anchor, place, state):
         made, reason = yield from place_any(assets, top, "on", colour=colour, name=things.noun, wishes=wishes)
         if made:
             return made, ""
-    if stands or target.anchor is not None or place.spot:
+    if stands or target.anchor is not None or place.spot or place.on_floor:
         return (yield from place_any(assets, target.room, "on", colour=colour, name=things.noun, wishes=wishes))
     surfaces = yield from find_surfaces(Scope("room", "", (target.room,)), state, things.noun)
     reason = f"no surface in {target.room} can carry it"
@@ -427,7 +435,7 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     if not things.noun:
         raise Unmet("say what shall be there")
     kind, number = things.amount.kind, new_number(things)
-    if kind == "more":
+    if kind == "more" or place.former is not None:
         return (yield from add(Add(things=things, place=place, each=statement.each), state, context))
     several = statement.each or _is_each(place)
     before = {item.id for _, item in state.objects()}
@@ -448,6 +456,8 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     else:
         _refuse_to_take_away(statement, number, groups, state, context)
         had, made, gone = yield from _as_many_in_each(things, number, place, groups, state, context)
+    if kind == "at_most" and not had and _TOO_MANY.search(statement.quote):
+        raise Unmet(f"there are no {bare_words(things)}{at_words(place)}")
     items = live(state, made)
     rooms = tuple(dict.fromkeys([*(i.room for i in items), *(t.room for g in groups for t in g[:1])]))
     reply = f"{there_were(had, things.noun)} {place_in(state, place, context) or 'in the building'}"
@@ -460,6 +470,10 @@ _ADDING: Final = re.compile(
     r"\b(add|another|additional|extra|(?<!any )(?<!no )(?<!not )more (?!than))\b", re.IGNORECASE
 )
 """Words by which things come, so that none goes: ``add one more so that there are six``."""
+
+
+_TOO_MANY: Final = re.compile(r"\b(enough|plenty|will do|too many|too much|suffice)\b", re.IGNORECASE)
+"""Words by which there are more than so many."""
 
 
 def _refuse_to_take_away(
@@ -539,7 +553,8 @@ def replace_things(statement: Replace, state: SceneState, context: Context) -> W
     olds = things_meant(state, statement.things, context)
     by = statement.by
     each = bool(_WHOLE.search(statement.quote)) or len({old.room for old in olds}) > 1
-    one_by_one = by.plural or len(olds) == 1 or (statement.things.amount.kind == "all" and each)
+    together = by.amount.number == 1 and _ONE_FOR_ALL.search(statement.quote) is not None
+    one_by_one = by.plural or len(olds) == 1 or (statement.things.amount.kind == "all" and each and not together)
     number = new_number(by) if by.amount.number > 1 or not one_by_one else len(olds)
     gone: list[str] = []
     made: list[str] = []

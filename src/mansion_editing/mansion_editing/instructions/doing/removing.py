@@ -12,7 +12,7 @@ from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import is_fixed, is_loose, names_many
 from mansion_editing.instructions.meaning.numbers import means_one
-from mansion_editing.instructions.meaning.sparing import spared_among
+from mansion_editing.instructions.meaning.sparing import is_movable, spared_among, spares_furniture
 from mansion_editing.instructions.meaning.wording import bare_words, counted, place_in, place_words, thing_words
 from mansion_editing.instructions.statements import Clear, Place, Remove, Things
 from mansion_editing.runs.policies import Action, Outcome, Unmet, ask
@@ -76,7 +76,8 @@ def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneOb
     if amount.kind in ("all_but", "exactly") and len(found) < amount.number:
         raise Unmet(f"there are only {counted(len(found), things.noun or 'thing')}, not {amount.number}")
     chosen = things_meant(state, things, context, surplus=True)
-    free = [item for item in chosen if not is_fixed(item) or _is_named(state, item, things.noun)]
+    certain = things.definite and means_one(things) and not names_many(things.noun)
+    free = [item for item in chosen if certain or not is_fixed(item) or _is_named(state, item, things.noun)]
     if chosen and not free:
         raise Unmet(f"{chosen[0].id} is fixed to the building; name it by its kind to remove it")
     return free
@@ -145,8 +146,9 @@ def to_clear(statement: Clear, state: SceneState, context: Context) -> list[Scen
         raise Unmet("say which room, storey or piece of furniture is to be emptied; not the whole building at once")
     if place.anchor is not None and place.relation in ("on", "in", ""):
         anchor = place.anchor
-        if place.rooms is not None and anchor.place is None:
-            anchor = msgspec.structs.replace(anchor, place=Place(rooms=place.rooms))
+        if place.rooms is not None and (anchor.place is None or anchor.place.rooms is None):
+            within = msgspec.structs.replace(anchor.place or Place(), rooms=place.rooms)
+            anchor = msgspec.structs.replace(anchor, place=within)
         holders = things_meant(state, anchor, context, _carries(state))
         relations = (place.relation,) if place.relation else ("on", "in")
         there = [item for holder in holders for relation in relations for item in carried_by(state, holder, relation)]
@@ -154,7 +156,8 @@ def to_clear(statement: Clear, state: SceneState, context: Context) -> list[Scen
         rooms = set() if place.rooms is None else set(one_room_each(state, place.rooms, context))
         pool = [item for _, item in state.objects() if not rooms or item.room in rooms]
         there = all_at(state, pool, place, context)
-    loose = {item.id: item for item in there if is_loose(item)}
+    whole = spares_furniture(state, statement, context)
+    loose = {item.id: item for item in there if is_loose(item) or (whole and is_movable(item))}
     spared = spared_among(state, statement.spare, [*loose.values()], context) | context.kept
     holding = {item.parent for item in loose.values() if item.id in spared}
     return [item for name, item in loose.items() if name not in spared and name not in holding]

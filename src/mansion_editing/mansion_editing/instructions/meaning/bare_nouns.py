@@ -33,7 +33,7 @@ def _meant(statement: Statement, state: SceneState, context: Context) -> Stateme
     if not isinstance(statement, Add | Ensure) or statement.each or not _is_bare(statement.things, statement.quote):
         return statement
     place = statement.place
-    if place.anchor is None or place.anchor.plural or not place.anchor.definite:
+    if place.anchor is None or place.anchor.plural or not _is_known(place.anchor, statement.quote):
         return statement
     try:
         rooms = {anchor.room for anchor in anchors_of(state, place, context)}
@@ -48,9 +48,17 @@ def _meant(statement: Statement, state: SceneState, context: Context) -> Stateme
     return Move(quote=statement.quote, things=things, place=place)
 
 
+def _is_known(anchor: Things, quote: str) -> bool:
+    """Whether a mark is one that is there: named with ``the``, or without an article as in notes."""
+    new = rf"\b(a|an|any|another|some|one) ([\w'-]+ ){{0,3}}{re.escape(anchor.noun)}\b"
+    return anchor.definite or (bool(anchor.noun) and re.search(new, quote, re.IGNORECASE) is None)
+
+
 def _is_bare(things: Things, quote: str) -> bool:
     """Whether one thing is named without an article, and nothing says that it is new."""
     plain = not (things.definite or things.plural or things.refers or things.owned or things.place)
     one = things.amount.kind == "some" and things.amount.number == 1
+    if not things.noun:
+        return False
     before = quote.lower().partition(things.noun.lower())[0]
-    return plain and one and bool(things.noun) and len(before) < len(quote) and _NEW.search(before) is None
+    return plain and one and len(before) < len(quote) and _NEW.search(before) is None

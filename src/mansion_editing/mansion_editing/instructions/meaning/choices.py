@@ -19,6 +19,7 @@ from mansion_editing.instructions.meaning.numbers import (
     of_one_kind,
 )
 from mansion_editing.instructions.meaning.room_words import room_title
+from mansion_editing.instructions.meaning.sided import told_by_side
 from mansion_editing.instructions.meaning.wording import (
     at_words,
     bare_words,
@@ -304,7 +305,7 @@ def _the_one(
     here = [item for item in found if item.room in near]
     own = [item for item in here if is_of_its_room(state, item, things.noun)]
     asked = context.brief.things_first(here, things.noun)
-    sized = told_by_size(here, things.hints)
+    sized = told_by_size(told_by_side(here, things.hints), things.hints)
     needed = needed_there(state, here)
     found = next((few for few in (preferred, here, sized, own, asked, needed) if len(few) == 1), found)
     if len(found) > 1 and context.brief.wants_one(asked, things.noun):

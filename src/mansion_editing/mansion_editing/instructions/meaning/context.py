@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 
 from mansion_editing.instructions.meaning.brief import Asked
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import SceneObject
 
 __all__ = ["Ambiguous", "Context", "ambiguous"]
 
@@ -35,6 +36,8 @@ class Context:
         went there before.
     earlier : tuple of str
         Ids of single rooms that were mentioned before `rooms`, the last one last.
+    vacated : tuple of SceneObject
+        What went away or moved with the last statement that took something from its place, as it stood.
     brief : Asked
         What the building's brief asked for.
     """
@@ -46,6 +49,7 @@ class Context:
     holders: tuple[str, ...] = ()
     assumed: frozenset[str] = frozenset()
     earlier: tuple[str, ...] = ()
+    vacated: tuple[SceneObject, ...] = ()
     brief: Asked = field(default_factory=Asked)
 
     def followed(

@@ -13,6 +13,8 @@ from mansion_editing.instructions.meaning.distances import by_distance
 from mansion_editing.instructions.meaning.nouns import called, has_colour, has_material, id_order, looks_like
 from mansion_editing.instructions.meaning.numbers import means_several, of_one_kind
 from mansion_editing.instructions.meaning.room_words import adjoining, best_named, room_order
+from mansion_editing.instructions.meaning.vacated import stands_where, vacated_by
+from mansion_editing.instructions.phrases.lexicon import ANYTHING
 from mansion_editing.instructions.phrases.places import SUPERLATIVES
 from mansion_editing.instructions.statements import JOINED, Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
@@ -132,12 +134,20 @@ def _existing(state: SceneState, ids: Sequence[str]) -> list[SceneObject]:
 def things_of(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
     """Return all objects that words fit, in the order of their ids; how many of them are meant is not looked at.
 
-    Certain things that are there may be of about a colour ("the brown bench" of oak) where none is just of it.
+    Certain things that are there may be of about a colour ("the brown bench" of oak) where none is just of it, and on
+    furniture where they are told to be in it.
     """
     found = _things_of(state, things, context, has_colour)
-    if found or not (things.colour and things.definite and things.noun):
+    if found or not (things.definite and things.noun):
         return found
-    return _things_of(state, things, context, looks_like)
+    found = _things_of(state, things, context, looks_like) if things.colour else found
+    place = things.place
+    if found:
+        return found
+    if place is None or place.anchor is None or place.relation not in ("on", "in") or place.outside:
+        return found
+    either = msgspec.structs.replace(things, place=msgspec.structs.replace(place, relation=""))
+    return [item for item in _things_of(state, either, context, has_colour) if item.parent is not None]
 
 
 def _things_of(
@@ -166,6 +176,8 @@ def _things_of(
     if things.place is not None and not superlative:
         at = _Placed(state, things.place, context)
         pool = [item for item in pool if at.holds(item)]
+        if not noun or noun in ANYTHING:
+            pool = _lying_there(pool, things.place)
     if things.owned:
         pool = _owned(state, pool, things.owned, context)
     if noun and not many:
@@ -179,6 +191,14 @@ def _things_of(
     if things.place is not None and superlative:
         pool = by_distance(state, pool, things, anchors_of(state, things.place, context))
     return _picked(sorted(pool, key=id_order), things)
+
+
+def _lying_there(pool: list[SceneObject], place: Place) -> list[SceneObject]:
+    """Return what lies on the floor or on furniture, not what stands there: ``everything from the coffee table``."""
+    if place.on_floor:
+        return [item for item in pool if item.pickupable]
+    carried = place.anchor is not None and place.relation == ""
+    return [item for item in pool if item.parent is not None] if carried else pool
 
 
 def _bearing(state: SceneState, pool: list[SceneObject], borne: Things, context: Context) -> list[SceneObject]:
@@ -319,6 +339,7 @@ class _Placed:
         self.anchors = [] if place.anchor is None or self.doors is not None else anchors_of(state, place, context)
         self.others = [] if place.other is None else things_of(state, place.other, context)
         self.facing = None if place.facing is None else things_of(state, place.facing, context)
+        self.former = None if place.former is None else vacated_by(state, place.former, context)
         self.carried = (
             {item.id for anchor in self.anchors for item in carried_by(state, anchor, place.relation)}
             if place.relation in ("on", "in", "")
@@ -330,6 +351,10 @@ class _Placed:
 
     def _is_there(self, item: SceneObject) -> bool:
         if self.rooms is not None and item.room not in self.rooms:
+            return False
+        if self.former is not None and not stands_where(item, self.former):
+            return False
+        if self.place.on_floor and not (item.mount == "floor" and item.parent is None):
             return False
         if self.place.anchor is not None and not self._is_related(item):
             return False

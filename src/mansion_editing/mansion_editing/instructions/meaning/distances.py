@@ -24,7 +24,8 @@ def by_distance(
 ) -> list[SceneObject]:
     """Return the things that words like ``the two chairs nearest the door`` mean, one in each room that has some.
 
-    Where the next one is hardly farther off it is returned too, so that the words fit more than they mean.
+    Where one is meant and the next one is hardly farther off it is returned too, so that the words fit more than they
+    mean; of several any of those that are equally far off will do.
 
     Parameters
     ----------
@@ -53,5 +54,7 @@ def by_distance(
 
 def _first(ranked: list[tuple[float, SceneObject]], number: int) -> list[SceneObject]:
     ordered = sorted(ranked, key=lambda pair: (round(pair[0], 4), pair[1].id))
+    if number > 1:
+        return [item for _, item in ordered[:number]]
     limit = ordered[min(number, len(ordered)) - 1][0] + MARGIN
     return [item for away, item in ordered if away < limit]

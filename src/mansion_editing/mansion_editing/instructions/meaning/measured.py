@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import Final
 
 from mansion_editing.instructions.phrases.nouns import COMPARATIVES, is_comparative
+from mansion_editing.instructions.phrases.runs import SIDES
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point3
 
@@ -48,6 +49,8 @@ _CLEARLY: Final = 1.05
 def told_by_size(items: Sequence[SceneObject], hints: Sequence[str]) -> list[SceneObject]:
     """Return the one of several that adjectives of size plainly tell; all where they do not."""
     for hint in hints:
+        if hint in SIDES:
+            continue
         measure, sign = _MEASURES[COMPARATIVES.get(hint, hint)]
         ordered = sorted(items, key=lambda item: (-sign * measure(item.size), item.id))
         if len(ordered) < 2:

@@ -7,6 +7,7 @@ from functools import lru_cache
 from shapely import Polygon
 
 from mansion_assets.catalogue.vocabulary import stems
+from mansion_editing.instructions.phrases.lexicon import READ_LIKE
 from mansion_editing.state import SceneState
 from mansion_knowledge import default_knowledge, interchangeable_names
 from mansion_msgs_py.scene import SceneRoom
@@ -40,8 +41,18 @@ def best_named(rooms: Sequence[SceneRoom], words: str, *, every: bool = False) -
         return []
     if not every:
         return [room for room in ordered if ranks[room.id] == best]
-    # Other words for a kind mean rooms of it only where none is called so.
-    return [room for room in ordered if ranks[room.id] >= min(best, 2) and (best < 4 or ranks[room.id] != 3)]
+    # Other words for a kind mean rooms of it only where none is called so, unless its name ends with them.
+    return [
+        room
+        for room in ordered
+        if ranks[room.id] >= min(best, 2) and (best < 4 or ranks[room.id] != 3 or _ends_so(room, name))
+    ]
+
+
+def _ends_so(room: SceneRoom, name: str) -> bool:
+    """Whether the kind of a room ends with a name: a master bedroom is a bedroom."""
+    wanted, kind = _read_like(name), stems(room.room_type.replace("_", " "))
+    return bool(wanted) and kind[-len(wanted) :] == wanted
 
 
 def _numbered(words: str) -> tuple[str, str | None]:
@@ -77,7 +88,7 @@ def _rank(room: SceneRoom, name: str, number: str | None) -> int:
 
 def _read_like(text: str) -> tuple[str, ...]:
     """Return the words of a name as instructions are read: without the s of genitives, children for kids."""
-    return tuple("child" if word == "kid" else word for word in stems(text) if word != "s")
+    return tuple(READ_LIKE.get(word, word) for word in stems(text) if word != "s")
 
 
 def _is_synonym(wanted: tuple[str, ...], kind: tuple[str, ...]) -> bool:

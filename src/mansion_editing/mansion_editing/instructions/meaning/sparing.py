@@ -4,13 +4,15 @@ from collections.abc import Sequence
 
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import things_of
+from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.wording import bare_words, counted, thing_words, title_of
-from mansion_editing.instructions.statements import Things
+from mansion_editing.instructions.statements import Clear, Things
 from mansion_editing.state import SceneState
+from mansion_knowledge.object_kinds import is_fixed
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["spared_among"]
+__all__ = ["is_movable", "spared_among", "spares_furniture"]
 
 
 def spared_among(
@@ -40,3 +42,17 @@ def spared_among(
             raise ambiguous(thing_words(things), [title_of(state, item) for item in near], [i.id for i in near])
         out |= {item.id for item in (near[:number] if number else found)}
     return out
+
+
+def spares_furniture(state: SceneState, statement: Clear, context: Context) -> bool:
+    """Whether a room shall be cleared but for furniture, so that other furniture goes too."""
+    place = statement.place
+    if place.anchor is not None or place.rooms is None:
+        return False
+    spared = (item for things in statement.spare for item in things_of(state, things, context))
+    return any(item.mount == "floor" and not is_loose(item) for item in spared)
+
+
+def is_movable(item: SceneObject) -> bool:
+    """Whether an object stands on the floor and is not built in."""
+    return item.mount == "floor" and not is_fixed(item.category)

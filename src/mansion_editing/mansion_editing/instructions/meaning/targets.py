@@ -11,6 +11,7 @@ from mansion_editing.instructions.meaning.doors import means_doors, sides_of
 from mansion_editing.instructions.meaning.measured import told_by_size
 from mansion_editing.instructions.meaning.numbers import is_one, means_one
 from mansion_editing.instructions.meaning.room_words import room_title
+from mansion_editing.instructions.meaning.sided import told_by_side
 from mansion_editing.instructions.meaning.wording import bare_words, room_words, thing_words, title_of
 from mansion_editing.instructions.statements import Place, Things
 from mansion_editing.state import SceneState
@@ -126,7 +127,7 @@ def _alike(
     found = [item for item in found if item.room in near]
     own = {item.id for item in found if is_of_its_room(state, item, anchor.noun)}
     found = [item for item in found if item.id in own] or found
-    found = told_by_size(found, anchor.hints)
+    found = told_by_size(told_by_side(found, anchor.hints), anchor.hints)
     found = context.brief.things_first(found, anchor.noun)
     needed = needed_there(state, found)
     found = needed if len(needed) == 1 else found

@@ -89,6 +89,11 @@ def place_words(place: Place) -> str:
         parts.append(f"{_RELATIONS[place.relation]} the {place.spot}")
     elif place.spot:
         parts.append({"middle": "in the middle", "corner": "in a corner"}.get(place.spot, f"at the {place.spot}"))
+    if place.former is not None:
+        stood = f"the {bare_words(place.former)}" if place.former.noun else "it"
+        parts.append(f"where {stood} was")
+    if place.on_floor:
+        parts.append("on the floor")
     if place.rooms is not None:
         where = _in_rooms(place.rooms)
         parts.append(f"of{where.removeprefix('in')}" if place.spot and where.startswith("in ") else where)

@@ -51,7 +51,9 @@ _CONTRACTED: Final = (
 )  # fmt: skip
 _MARKS: Final = (
     ("[‘’`]", "'"), ("[“”„]", '"'), (r"\s*(?:\.\.\.|…)\s*", " - "), (r"\s+(?:--|[–—-])\s+", " - "),
-    (r"\bi\. ?e\. ?", "that is "), (r"\be\. ?g\. ?", "for example "), (r"[ \t]+", " "),
+    (r"\bfourty\b", "forty"), (r"\bnot a single\b", "no"), (r"\bclose (?:up |by )?to\b", "near"),
+    (r' & (?=(?:[^"]*"[^"]*")*[^"]*$)', " and "), (r"\bi\. ?e\. ?", "that is "), (r"\be\. ?g\. ?", "for example "),
+    (r"[ \t]+", " "),
 )  # fmt: skip
 
 

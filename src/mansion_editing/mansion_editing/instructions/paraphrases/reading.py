@@ -12,9 +12,22 @@ from mansion_editing.instructions.paraphrases.remarks import without_remarks
 from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Instruction, Keep, Mention, Things
+from mansion_editing.instructions.statements import (
+    Add,
+    Ensure,
+    Instruction,
+    Keep,
+    Mention,
+    Move,
+    Place,
+    Rename,
+    Rooms,
+    Statement,
+    Things,
+)
 from mansion_editing.instructions.syntax.arrows import without_arrows
 from mansion_editing.instructions.syntax.main_points import MainPoints, main_points
+from mansion_editing.instructions.syntax.pairs.joining import without_misread_pairs
 from mansion_editing.state import SceneState
 
 __all__ = ["read_in_other_words", "reworded"]
@@ -22,6 +35,13 @@ __all__ = ["read_in_other_words", "reworded"]
 _MOST_REMARKS = 2
 _MOST_READINGS = 20
 """How often one instruction is read."""
+_MIDDLE_OF_IT: Final = re.compile(r"\b(middle|centre|center|corner) of it\b", re.IGNORECASE)
+"""What only a room is meant by, which the clause before names."""
+_SOME_ALREADY: Final = re.compile(r"\balready\b", re.IGNORECASE)
+_FIXING: Final = re.compile(r"(fix|sort|change|mend) (that|it|this)\b", re.IGNORECASE)
+"""What is to be put right, which the clause before tells."""
+_WONDERING: Final = re.compile(r"(who|why|how come|what on earth)\b", re.IGNORECASE)
+"""Words that begin a question which nobody wants answered."""
 _CORRECTION: Final = re.compile(
     r"(?:\.\.\.|…|\s-|,|\.)\s*(?:(?:no|oh|oops|er|um)\b,? )*"
     r"(?:sorry, |no,? wait|wait,? no|scratch that|i mean(?:t)? |or rather |make that |forget (?:that|it)\b)",
@@ -41,11 +61,11 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         With `read_as` where it was put in other words, and a passed-over `Mention` of each clause that was left out;
         where no wording is understood, what was read of the instruction's own.
     """
-    plainly = without_idioms(text)
+    lexicon = Lexicon(state)
+    plainly = without_misread_pairs(without_idioms(text), lexicon)
     first = read_instruction(plainly, state, brief)
     if plainly != text:
         first, text = msgspec.structs.replace(first, read_as=plainly), plainly
-    lexicon = Lexicon(state)
     if first.undecided:
         return first
     points = tuple(main_points(in_running_text(text), lexicon))
@@ -53,13 +73,17 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
     if clear is not None and not _acts_on(points, clear):
         return clear
     for number, said in enumerate(_wordings(text, lexicon, points, tuple(state.floors))):
-        if number >= _MOST_READINGS or (clear is not None and not said.remarks):
+        if number >= _MOST_READINGS:
             break
+        if clear is not None and not said.remarks:
+            continue
         read = read_instruction(said.text, state, brief)
         doubtful = bool(said.remarks) and (_only_keeps(read) or _may_ask(said, state, brief))
+        doubtful = doubtful or (bool(points and points[0].remarks) and not said.remarks and _lacks_antecedent(read))
         if _is_clear(read, said.text) and not doubtful:
             left = [Mention(quote=remark, passed_over=True) for remark in said.remarks]
-            found = msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=said.text)
+            asked = _counting_those_there(read.statements, said.remarks)
+            found = msgspec.structs.replace(read, statements=[*asked, *left], read_as=said.text)
             if said.remarks or not _acts_on(points, found):
                 return found
             clear = found
@@ -72,7 +96,7 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
 def _may_ask(said: MainPoints, state: SceneState, brief: str) -> bool:
     """Whether a clause that was left out would be understood as a request if it stood alone."""
     for remark in said.remarks:
-        if remark not in said.described:
+        if remark not in said.described and not _WONDERING.match(remark):
             alone = read_instruction(remark, state, brief)
             if not alone.not_understood and not _only_keeps(alone):
                 return True
@@ -97,10 +121,43 @@ def _is_clear(read: Instruction, text: str) -> bool:
     """Whether a text was understood, and nothing is left of a correction or of what a pronoun takes up of a remark."""
     if read.not_understood or _taken_back(read, text):
         return False
+    if any(isinstance(one, Rename) and one.room == Rooms() for one in read.statements):
+        return False  # "their room"
+    if any(isinstance(one, Move) and one.place == Place() and _FIXING.match(one.quote) for one in read.statements):
+        return False
+    if any(_is_at_bare_number(one) for one in read.statements) or _MIDDLE_OF_IT.search(text):
+        return False
     asked = next((one for one in read.statements if not isinstance(one, Mention)), None)
     things = getattr(asked, "things", None)
     bare = isinstance(things, Things) and things.refers in ("last", "others") and not things.noun
     return not (bare and isinstance(read.statements[0], Mention))
+
+
+def _counting_those_there(statements: Sequence[Statement], remarks: Sequence[str]) -> list[Statement]:
+    """Return ``put a lamp on each desk`` as a lamp being on each, where a remark says that some have one already."""
+    if not any(_SOME_ALREADY.search(remark) for remark in remarks):
+        return list(statements)
+    return [
+        Ensure(things=one.things, place=one.place, each=True, quote=one.quote)
+        if isinstance(one, Add) and one.each and one.things.amount.kind == "some"
+        else one
+        for one in statements
+    ]
+
+
+def _lacks_antecedent(read: Instruction) -> bool:
+    """Whether the first thing that is asked for is only ``them``, which the clause that is left out named."""
+    asked = next((one for one in read.statements if not isinstance(one, Mention)), None)
+    things = getattr(asked, "things", None)
+    return isinstance(things, Things) and things.refers == "last" and not things.noun
+
+
+def _is_at_bare_number(statement: Statement) -> bool:
+    """Whether a statement is about things in ``2``, the number of a room that was only told of."""
+    things = getattr(statement, "things", None)
+    place = things.place if isinstance(things, Things) else None
+    anchor = None if place is None else place.anchor
+    return anchor is not None and anchor.refers == "last" and not anchor.noun and anchor.amount.number > 1
 
 
 def _taken_back(read: Instruction, text: str) -> str:
@@ -116,7 +173,8 @@ def _taken_back(read: Instruction, text: str) -> str:
 
 def reworded(text: str, lexicon: Lexicon) -> str:
     """Return a text in the plain words of what it asks for."""
-    return with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
+    plain = with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
+    return without_misread_pairs(plain, lexicon)
 
 
 def _wordings(

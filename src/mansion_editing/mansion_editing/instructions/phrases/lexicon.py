@@ -13,7 +13,7 @@ from mansion_knowledge import default_knowledge, interchangeable_names
 from mansion_knowledge.common_words import common_words
 from mansion_language.spelling import Speller
 
-__all__ = ["ANYTHING", "HYPERNYMS", "LIGHTS", "WAYS", "Lexicon"]
+__all__ = ["ANYTHING", "HYPERNYMS", "LIGHTS", "READ_LIKE", "WAYS", "Lexicon"]
 
 ANYTHING = frozenset(["thing", "object", "stuff", "item", "content", "everything", "anything", "clutter", "mess"])
 """Nouns for whatever is there."""
@@ -33,13 +33,13 @@ LIGHTS = ("lamp", "light", "chandelier", "ceiling_panel", "spot_track")
 _DOORS = frozenset({("door",), *((word, "door") for word in (*OUTER_DOORS, *DOOR_KINDS))})
 """Nouns for what opens and closes in the structure."""
 
-_LIKE = {"kid": "child"}
+READ_LIKE = {"kid": "child", "centre": "middle", "center": "middle"}
 """Words that instructions are read with in place of others."""
 
 _PERSONS_OF_ROOMS = frozenset("child guest staff patient nurse teacher family man woman doctor".split())
 """Persons that rooms are named after, whose name alone does not mean the room."""
 
-_NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "place", "side"])
+_NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "place", "side", "top"])
 """Nouns that end names of objects but do not name any by themselves."""
 
 _KINDS_OF_SPACES = frozenset("room bedroom bathroom office hall area studio station kitchen suite lounge shop".split())
@@ -242,7 +242,7 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
         called = stems(room.name)
         plain = called[: called.index("for")] if "for" in called[1:] else called  # "Office for two clerks"
         for said in (own, bare, called, plain, kind, *(stems(alias) for alias in room.aliases)):
-            name = tuple(_LIKE.get(word, word) for word in said if word != "s")  # of a genitive: the children's room
+            name = tuple(READ_LIKE.get(word, word) for word in said if word != "s")  # of the children's room
             proper = tuple(
                 word for word in name if word not in _words_of_kinds(state.catalogue) and not word.isdecimal()
             )
@@ -254,6 +254,20 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
             yield name
             if len(name) > 1 and name[-1].isdecimal():
                 yield name[:-1]
+            if "and" in name:
+                yield tuple(word for word in name if word != "and")  # "the kitchen-living room"
+            if len(name) > 1 and name[-1:] in _kinds_of_rooms(state.catalogue) and name[-1] in _PLAIN_KINDS:
+                yield name[-1:]  # "the kitchen" of an eat-in kitchen
+            if "and" in name[1:-1]:
+                joint = name.index("and")
+                yield from (name[:joint], name[joint + 1 :])  # the kitchen of "Kitchen and living room"
+
+
+_PLAIN_KINDS = frozenset(
+    "kitchen bathroom bedroom closet library kitchenette lobby corridor hallway gallery garage terrace nursery "
+    "workshop classroom laundry pantry attic basement cellar canteen cafeteria restaurant".split()
+)
+"""Words that tell by themselves what a room is."""
 
 
 def _names_of_kind(room_type: str) -> frozenset[tuple[str, ...]]:

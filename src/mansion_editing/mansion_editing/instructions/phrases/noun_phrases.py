@@ -17,6 +17,7 @@ from mansion_language.colours import COLOUR_WORDS
 __all__ = ["NounPhrase", "noun_phrase"]
 
 _COLOUR: Final = ("colour", "color")
+_ROOM_SIZES: Final[dict[str, Literal["largest", "smallest"]]] = {"large": "largest", "small": "smallest"}
 _IN_PHRASES: Final = frozenset(["only", "just", "exactly", "back", "first", "next"])
 """Adverbs that may belong to a noun phrase."""
 
@@ -90,9 +91,16 @@ class NounPhrase:
             every=several and self.amount.kind in ("some", "all"),
             number=self.amount.number if noun.plural and self.amount.number > 1 else 0,
             ordinal=noun.ordinal,
-            size=noun.size if noun.size in ("largest", "smallest") else "",
+            size=self._size_of_room(),
             others=others,
         )
+
+    def _size_of_room(self) -> Literal["", "largest", "smallest"]:
+        """Return which of several rooms is meant by its size: ``the largest office``, ``the big gym``."""
+        if self.noun.size in ("largest", "smallest"):
+            return self.noun.size
+        told = [_ROOM_SIZES[hint] for hint in self.noun.hints if hint in _ROOM_SIZES]
+        return told[0] if told and self.definite and not self.plural else ""
 
 
 def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> NounPhrase | None:
@@ -220,7 +228,7 @@ def _further_numbers(words: Sequence[Word], noun: Noun, at: int, lexicon: Lexico
     """Read ``2 and 3`` of ``classrooms 1, 2 and 3``, ``+5`` of ``rooms 4+5``."""
     out: list[str] = []
     while noun.number and noun.plural and noun.kind in ("room", "both"):
-        through = text_at(words, at) in ("to", "-", "through")
+        through = text_at(words, at) in ("to", "-", "–", "through")
         place = at + (text_at(words, at) == "," or through)
         place += text_at(words, place) in ("and", "&", "+")
         if place == at or place >= len(words) or not (words[place].kind == "code" or words[place].raw.isdecimal()):

@@ -6,7 +6,7 @@ from typing import Final, Literal, TypeAlias
 
 from mansion_editing.instructions.phrases.amounts import PARTS
 from mansion_editing.instructions.phrases.lexicon import ANYTHING, HYPERNYMS, Lexicon
-from mansion_editing.instructions.phrases.runs import SHADES, end_of_run
+from mansion_editing.instructions.phrases.runs import SHADES, SIDES, end_of_run
 from mansion_editing.instructions.phrases.words import ADVERBS, PERSONS, STATE_WORDS, VAGUE, Word
 from mansion_language.colours import COLOUR_WORDS
 
@@ -152,6 +152,8 @@ def _split(
         span = tuple(texts[first:])
         if len(span) > 1 and (span[-1] == "one" or (span[0] in COLOUR_WORDS and lexicon.is_object(span[1:]))):
             continue
+        if len(span) == 1 and span[0] in COLOUR_WORDS and not lexicon.is_called(span):
+            continue  # "a chair, green" asks for no vegetable
         own, room, thing = lexicon.is_own_room(span), lexicon.is_room(span), lexicon.is_object(span)
         if span[-1] in PERSONS and not own:
             continue
@@ -219,10 +221,16 @@ def _modified(
             states[name] = value
         elif word.text in SIZE_HINTS:
             hints.append(SIZE_HINTS[word.text])
+        elif word.text in SIDES:
+            hints.append(word.text)
         elif word.text in VAGUE or word.text in SHADES or word.text in ADVERBS or word.text.endswith("ly"):
             continue
         else:
             rest.append(word)
+    sized = next((hint for hint in hints if kind == "object" and lexicon.is_called((hint, *noun))), "")
+    if sized:
+        noun = (sized, *noun)  # "sixteen big paintings" are large ones
+        hints.remove(sized)
     if noun == ("one",):
         words = (*(w.text for w in rest), "one")
         return Noun(words, kind, plural, number, "", colour, material, ordinal, size, tuple(hints), states)

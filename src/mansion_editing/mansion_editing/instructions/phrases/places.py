@@ -8,9 +8,11 @@ import msgspec
 
 from mansion_editing.instructions.phrases.distances import read_distance, read_within
 from mansion_editing.instructions.phrases.each_other import EACH_OTHER, end_of_each_other
+from mansion_editing.instructions.phrases.former_spots import read_former_spot
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
+from mansion_editing.instructions.phrases.spaces import end_of_building, end_of_same_room, goes_on_with_noun
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import (
     BEFORE_PLACES,
@@ -19,7 +21,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     NEAR_SPOTS,
     OUTER_DOORS,
 )
-from mansion_editing.instructions.phrases.words import BE, MODALS, Word, text_at
+from mansion_editing.instructions.phrases.words import BE, MODALS, PREPOSITIONS, Word, text_at
 from mansion_editing.instructions.statements import JOINED, Amount, Place, Relation, Rooms, Spot, Things
 
 __all__ = ["SAME_FLOOR", "SUPERLATIVES", "ReadPlace", "merged", "read_place", "with_place"]
@@ -55,7 +57,8 @@ class ReadPlace:
 
 _ON: Final = ("on", "onto", "atop")
 _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
-    (("on", "top", "of"), "on"), (("on", "to"), "on"), (("in", "to"), "in"), (("inside", "of"), "in"),
+    (("on", "top", "of"), "on"), (("on", "the", "top", "of"), "on"), (("on", "to"), "on"),
+    (("in", "to"), "in"), (("inside", "of"), "in"),
     (("in", "front", "of"), "front"), (("on", "either", "side", "of"), "around"),
     (("on", "both", "side", "of"), "around"),
     (("to", "the", "left", "and", "right", "of"), "around"), (("on", "the", "left", "and", "right", "of"), "around"),
@@ -149,6 +152,9 @@ def _relative(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence
 
 
 def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    former = read_former_spot(words, at, lexicon, floors)
+    if former is not None:
+        return ReadPlace(Place(former=former[0]), at, former[1], goal=True)
     relative = _relative(words, at, lexicon, floors)
     if relative is not None:
         return relative
@@ -183,6 +189,9 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if text_at(words, at) == "inside" and text_at(words, at + 1) in _ENDS:
         last = Things(refers="last", definite=True, amount=Amount(number=0))
         return ReadPlace(Place(relation="in", anchor=last), at, at + 1)
+    if (text_at(words, at), text_at(words, at + 1)) == ("on", "top") and text_at(words, at + 2) in _ENDS:
+        last = Things(refers="last", definite=True, amount=Amount(number=0))
+        return ReadPlace(Place(relation="on", anchor=last), at, at + 2)
     end = end_of_each_other(words, at)
     if end:
         return ReadPlace(Place(relation="beside", anchor=EACH_OTHER), at, end)
@@ -227,11 +236,11 @@ def _after_preposition(
         held: Relation = relation if relation in ("on", "in") else ""
         return ReadPlace(Place(relation=held, rooms=Rooms(same=True)), start, at + 1, goal, source)
     storeys = read_storeys(words, at, floors)
-    ordinal = words[at + 1] if storeys is not None and storeys[2] == at + 2 and text_at(words, at) == "the" else None
-    if ordinal is not None and ordinal.kind == "ordinal" and relation in BESIDE_RELATIONS:
-        one = Things(noun="one", amount=Amount(number=0), definite=True, ordinal=int(ordinal.value))
+    nth = _ordinal_alone(words, at)
+    if nth and relation in BESIDE_RELATIONS:
+        one = Things(noun="one", amount=Amount(number=0), definite=True, ordinal=nth)
         return ReadPlace(Place(relation=relation, anchor=one), start, at + 2)  # "next to the first"
-    if storeys is not None and not _goes_on(words, storeys[2], lexicon):
+    if storeys is not None and not goes_on_with_noun(words, storeys[2], lexicon):
         numbers, every, end = storeys
         rooms = Rooms(floors=numbers, every=every)
         if phrase == ("off",) and text_at(words, at) in ("upstairs", "downstairs"):
@@ -240,22 +249,18 @@ def _after_preposition(
     spot = _spot(words, start, at, phrase, relation, lexicon, floors)
     if spot is not None:
         return spot
-    if (
-        text_at(words, at) == "the"
-        and text_at(words, at + 1) == "floor"
-        and phrase[0] in (*_ON, *_ALL_OVER, "off", "from")
-    ):
-        inner = _after_preposition(words, at + 2, at + 3, ("in",), "in", lexicon, floors)
-        room = inner is not None and text_at(words, at + 2) in ("of", "in") and inner.place.anchor is None
-        if inner is not None and room and inner.place.rooms is not None:
-            return ReadPlace(Place(rooms=inner.place.rooms), start, inner.end, goal, source, each=inner.each)
-        return None if phrase[0] in _ALL_OVER else ReadPlace(Place(), start, at + 2, goal, source)
+    if phrase[0] in (*_ON, *_ALL_OVER, "off", "from"):
+        floor = _on_floor(words, at, lexicon, floors)
+        if floor is not None and (phrase[0] not in _ALL_OVER or floor[0].rooms is not None):
+            return ReadPlace(floor[0], start, floor[1], goal, source, each=floor[2])
+        if floor is not None:
+            return None
     if text_at(words, at) == "the" and text_at(words, at + 1) == "same" and text_at(words, at + 2) == "floor":
         return ReadPlace(Place(rooms=Rooms(floors=(SAME_FLOOR,))), start, at + 3, goal, source)
-    whole = _this_building(words, at, lexicon)
+    whole = end_of_building(words, at, lexicon)
     if whole:
         return ReadPlace(Place(), start, whole) if relation in ("in", "") and not goal else None
-    same = _same_room(words, at)
+    same = end_of_same_room(words, at)
     if same:
         return ReadPlace(Place(rooms=Rooms(same=True)), start, same, goal, source)
     target = noun_phrase(words, at, lexicon, floors)
@@ -267,6 +272,34 @@ def _after_preposition(
         return _between(words, start, target, lexicon, floors)
     read = _at_noun(words, start, phrase, relation, target, lexicon, floors, goal=goal, source=source)
     return _at_door(words, read, lexicon, floors) if target.noun.words[-1:] == ("door",) else read
+
+
+def _on_floor(
+    words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]
+) -> tuple[Place, int, bool] | None:
+    """Read ``the floor of the hall``, ``the kitchen floor``: a place, its end, and whether each is meant."""
+    if text_at(words, at) != "the":
+        return None
+    if text_at(words, at + 1) == "floor":
+        inner = _after_preposition(words, at + 2, at + 3, ("in",), "in", lexicon, floors)
+        room = inner is not None and text_at(words, at + 2) in ("of", "in") and inner.place.anchor is None
+        if inner is not None and room and inner.place.rooms is not None:
+            return Place(rooms=inner.place.rooms, on_floor=True), inner.end, inner.each
+        return Place(on_floor=True), at + 2, False
+    end = next((k for k in range(at + 2, min(at + 5, len(words))) if words[k].text == "floor"), 0)
+    name = tuple(word.text for word in words[at + 1 : end])
+    if not end or not lexicon.is_room(name) or (end + 1 < len(words) and words[end + 1].kind == "number"):
+        return None
+    return Place(rooms=Rooms(words=" ".join(name)), on_floor=True), end + 1, False
+
+
+def _ordinal_alone(words: Sequence[Word], at: int) -> int:
+    """Return which one ``the first``, without a noun, means; 0 for other words."""
+    if text_at(words, at) != "the" or at + 1 >= len(words) or words[at + 1].kind != "ordinal":
+        return 0
+    following = text_at(words, at + 2)
+    ends = not following or words[at + 2].kind == "mark" or following in PREPOSITIONS | {"and", "please"}
+    return int(words[at + 1].value) if ends else 0
 
 
 def _at_door(words: Sequence[Word], read: ReadPlace, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace:
@@ -286,15 +319,6 @@ def _direction(phrase: tuple[str, ...]) -> tuple[bool, bool]:
     """Return whether a preposition tells where something goes, and whether it tells where it comes from."""
     source = phrase[0] in _SOURCES or (phrase[0] in _GOALS and phrase[-1] == "from")
     return phrase[0] in _GOALS and not source, source
-
-
-def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
-    """Whether a storey is only the modifier of a noun ("in the ground floor kitchen")."""
-    return (
-        at < len(words)
-        and (words[at].text == "one" or lexicon.is_room((words[at].text,)) or lexicon.is_object((words[at].text,)))
-        and (words[at].text not in ("on", "in"))
-    )
 
 
 _DISTANCES: Final[dict[str, Relation]] = {
@@ -327,37 +351,6 @@ def _superlative(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if target is None or target.noun.unknown or target.noun.kind == "room":
         return None
     return ReadPlace(Place(relation=relation, anchor=target.things()), at, target.end)
-
-
-_BUILDINGS: Final = frozenset("building house office school hotel hospital museum home flat apartment clinic".split())
-
-
-def _this_building(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
-    """Return the end of ``this three-storey office``, ``the flat``; 0 where the words name a part of it."""
-    place = at + 1
-    if text_at(words, at) not in ("this", "our", "the", "my"):
-        return 0
-    told = False
-    while place < len(words) and (
-        words[place].kind == "number" or text_at(words, place) in ("floor", "whole", "entire")
-    ):
-        told = True
-        place += 1
-    said = text_at(words, place)
-    plain = said == "building" or ((told or text_at(words, at) == "this") and said in _BUILDINGS)
-    alone = not _goes_on(words, place + 1, lexicon) and not (place < len(words) and words[place].plural)
-    return place + 1 if plain or (lexicon.is_building(said) and alone) else 0
-
-
-def _same_room(words: Sequence[Word], at: int) -> int:
-    """Return the end of ``the same room``, ``that floor``; 0 where there is none."""
-    place = at
-    place += text_at(words, place) in ("the", "that", "this")
-    same = text_at(words, place) == "same"
-    place += same
-    named = text_at(words, place) in ("room", "place")
-    said = same or (place > at and words[at].text in ("that", "this"))
-    return place + 1 if said and named else 0
 
 
 def _spot(
@@ -459,6 +452,8 @@ def _at_noun(
     inward = relation in ("in", "") or phrase[0] in ("at", "throughout", "across")
     inward = inward or (relation in ("above", "under") and text_at(words, start - 1) == "room")
     room = noun.kind == "room" or (noun.kind == "both" and inward and lexicon.means_own_room(noun.words))
+    if noun.kind == "both" and text_at(words, target.start) in ("a", "an") and lexicon.is_short_for_room(noun.words):
+        room = False  # "in a locker"
     if (
         noun.kind == "both"
         and not inward
@@ -525,10 +520,15 @@ def merged(outer: Place, inner: Place) -> Place:
             facing=outer.facing or inner.facing,
             within=outer.within or inner.within,
             apart=outer.apart or inner.apart,
+            on_floor=outer.on_floor or inner.on_floor,
         )
     if outer.anchor is None:
         return msgspec.structs.replace(
-            inner, rooms=rooms, spot=outer.spot or inner.spot, facing=outer.facing or inner.facing
+            inner,
+            rooms=rooms,
+            spot=outer.spot or inner.spot,
+            facing=outer.facing or inner.facing,
+            on_floor=outer.on_floor or inner.on_floor,
         )
     plain = msgspec.structs.replace(inner, rooms=None)
     anchor = with_place(outer.anchor, plain)
@@ -541,9 +541,10 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
     if other.words and not one.words:
         one, other = other, one
     here = (SAME_FLOOR,) if other.same and not other.every and one.words and not (one.floors or one.up) else ()
+    both = tuple(floor for floor in one.floors if floor in other.floors)  # "upstairs on 2"
     return msgspec.structs.replace(
         one,
-        floors=one.floors or other.floors or here,
+        floors=both or one.floors or other.floors or here,
         every=one.every or (other.every and not other.words),
         same=one.same or (other.same and not here and not one.up and not (one.words and other.every)),
         number=one.number or other.number,

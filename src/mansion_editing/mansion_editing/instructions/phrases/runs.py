@@ -21,9 +21,13 @@ from mansion_editing.instructions.phrases.words import (
 )
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["ENDS_RUN", "SHADES", "end_of_run"]
+__all__ = ["ENDS_RUN", "SHADES", "SIDES", "end_of_run"]
 
 SHADES: Final = frozenset(["light", "dark", "pale", "bright", "deep", "pastel", "soft"])
+
+
+SIDES: Final = frozenset(["left", "right"])
+"""Words before a noun by which one of two things is told."""
 
 
 _ARTICLES_AFTER_VERBS: Final = frozenset(
@@ -89,6 +93,12 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
             end += 1
             continue
         ending = text in ENDS_RUN and not (end > at and word.genitive)
+        if ending and end > at and _is_within_name(words, end, at, lexicon):
+            end += 1
+            continue
+        if text in SIDES and end == at and text_at(words, at - 1) in DETERMINERS and _named_next(words, end, lexicon):
+            end += 1
+            continue
         if ending and not (text in _MAY_BE_NOUN and _starts_noun(words, end, at, lexicon)):
             break
         if text in DETERMINERS and end >= at and text != "own":
@@ -113,6 +123,22 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if word.genitive and end < len(words) and words[end].text in PREPOSITIONS:
             break
     return end
+
+
+def _named_next(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
+    """Whether a thing is named right after a word, or meant by ``one``."""
+    return (
+        text_at(words, at + 1) in ("one", "hand")
+        or _starts_noun(words, at + 1, at + 1, lexicon)
+        or lexicon.is_object((text_at(words, at + 1),))
+    )
+
+
+def _is_within_name(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
+    """Whether a preposition or joint stands within a name: ``the walk-in closet``, ``the lost-and-found office``."""
+    starts, ends = range(max(at, end - 2), end), range(end + 2, min(len(words), end + 3) + 1)
+    spans = (tuple(word.text for word in words[first:last]) for first in starts for last in ends)
+    return any(lexicon.is_own_room(span) or lexicon.is_called(span) for span in spans)
 
 
 def _is_named(words: Sequence[Word], at: int, end: int, lexicon: Lexicon) -> bool:

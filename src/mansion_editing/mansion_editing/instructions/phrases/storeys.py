@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from mansion_editing.instructions.phrases.word_sets import BEFORE_STOREYS
-from mansion_editing.instructions.phrases.words import PREPOSITIONS, Word
+from mansion_editing.instructions.phrases.words import BE, MODALS, PREPOSITIONS, Word
 
 __all__ = ["Storeys", "read_storeys"]
 
@@ -15,6 +15,7 @@ _NAMED: Final = frozenset(["ground", "entrance", "street"])
 _LOWEST: Final = frozenset(["lowest", "bottom", "lower"])
 _HIGHEST: Final = frozenset(["top", "topmost", "uppermost", "highest", "last", "upper"])
 _ABOVE: Final = frozenset(["upstairs"])
+_AFTER_STOREYS: Final = BE | MODALS | frozenset(["too", "please", "has", "have", "need"])
 _BELOW: Final = frozenset(["basement", "cellar"])
 
 
@@ -39,12 +40,9 @@ def read_storeys(words: Sequence[Word], at: int, floors: Sequence[int]) -> Store
     if place >= len(words):
         return None
     word = words[place]
-    spelt = word.kind == "number" and word.text.isalpha() and int(word.value) in floors and place == at
-    if spelt and at > 0 and words[at - 1].text == "on" and (at + 1 >= len(words) or words[at + 1].kind == "mark"):
-        return (int(word.value),), False, at + 1
-    digits = word.kind == "number" and word.raw.isdecimal() and int(word.value) in floors and place == at
-    if digits and at > 0 and words[at - 1].text == "on" and (at + 1 >= len(words) or words[at + 1].kind == "mark"):
-        return (int(word.value),), False, at + 1
+    bare = _bare_numbers(words, at, floors) if place == at else ()
+    if bare:
+        return bare, len(bare) > 1, at + 2 * len(bare) - 1
     if word.kind == "level":
         return (int(word.value),), False, place + 1
     if word.text == "floor":
@@ -57,6 +55,21 @@ def read_storeys(words: Sequence[Word], at: int, floors: Sequence[int]) -> Store
         own = tuple(f for f in floors if f < 1)[-1:] or (0,)
         return own, False, place + 1 + _is(words, place + 1, "floor")
     return _before_noun(words, place, at, floors, every=every)
+
+
+def _bare_numbers(words: Sequence[Word], at: int, floors: Sequence[int]) -> tuple[int, ...]:
+    """Return the storeys of ``on 2``, ``on two and three`` where the phrase ends with them; none for other words."""
+    if at == 0 or words[at - 1].text != "on":
+        return ()
+    found: list[int] = []
+    place = at
+    while place < len(words) and words[place].kind == "number" and words[place].value in floors:
+        found.append(int(words[place].value))
+        if not (_is(words, place + 1, "and") and place + 2 < len(words) and words[place + 2].kind == "number"):
+            break
+        place += 2
+    ends = place + 1 >= len(words) or words[place + 1].kind == "mark" or words[place + 1].text in _AFTER_STOREYS
+    return tuple(found) if ends and found else ()
 
 
 def _is(words: Sequence[Word], at: int, text: str) -> bool:

@@ -119,7 +119,8 @@ PEOPLE: Final = frozenset(
     "instructor baker barista bartender dentist surgeon therapist architect engineer designer developer intern trainee "
     "apprentice headmaster headmistress principal professor researcher scientist curator landlord landlady owner clerk "
     "cashier inspector auditor accountant lawyer granny grandad auntie aunt uncle cousin husband wife partner toddler "
-    "teenager team crew lodger flatmate housemate roommate".split()
+    "teenager team crew lodger flatmate housemate roommate class party delivery porter coordinator commander "
+    "warden".split()
 )
 SOMEBODY: Final = frozenset("robot agent i we one guest visitor people everyone whoever someone subject".split())
 

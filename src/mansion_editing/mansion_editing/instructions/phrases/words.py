@@ -159,9 +159,9 @@ FUNCTION_WORDS: Final = (
 _SHORT: Final = {
     "pls": "please", "plz": "please", "u": "you", "ur": "your", "w": "with", "thx": "thanks", "bcs": "because",
     "cuz": "because", "cos": "because", "tv": "tv", "bedrm": "bedroom", "rm": "room", "flr": "floor", "ppl": "people",
-    "wanna": "want", "gonna": "will", "lemme": "let", "gimme": "give", "n": "and", "smth": "something",
-    "centre": "middle",
-    "center": "middle", "storey": "floor", "story": "floor", "level": "floor", "upon": "on", "onto": "onto",
+    "wanna": "want", "gonna": "will", "lemme": "let", "gimme": "give", "n": "and", "&": "and", "smth": "something",
+    "sth": "something", "centre": "middle", "center": "middle", "storey": "floor", "story": "floor", "level": "floor",
+    "upon": "on", "onto": "onto",
     "meter": "metre", "lift": "elevator", "kid": "child", "fl": "floor", "goes": "go",
     "teh": "the", "frm": "from", "ad": "add", "adn": "and", "taht": "that", "hte": "the",
     **dict.fromkeys(

@@ -77,6 +77,12 @@ class Correcting(Progress):
         """Return the last statement with what is said instead, and the end of the words for it."""
         if isinstance(last, Add | Ensure) and last.each:
             return None, at
+        number = reader.words[at] if at < len(reader.words) else None
+        counted = number is not None and number.kind == "number" and number.value == int(number.value) > 0
+        if counted and isinstance(last, Add | Ensure | Remove) and last.things.amount.number > 0 and number is not None:
+            amount = msgspec.structs.replace(last.things.amount, number=int(number.value))
+            things = msgspec.structs.replace(last.things, amount=amount, plural=amount.number > 1)
+            return msgspec.structs.replace(last, things=things), at + 1
         places, end = reader.places(at)
         if places and not any(read.source or read.each for read in places):
             more = self._place_after(reader, end)

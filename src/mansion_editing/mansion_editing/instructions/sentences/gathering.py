@@ -181,7 +181,10 @@ class Gathering(Tails):
             return True
         elif (isinstance(last, Remove) or is_only_fetched(last)) and last.things.noun and moves_it(statement):
             moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
-            if re.search(r"\b(not|no|No)\b|n't\b", last.quote):  # "we do not need it here: take it to the hall"
+            new = _new_where_none_are(last.things, statement)
+            if new is not None:
+                self.statements[-1:] = [Mention(quote=last.quote), new]
+            elif re.search(r"\b(not|no|No)\b|n't\b", last.quote):  # "we do not need it here: take it to the hall"
                 moved = msgspec.structs.replace(moved, quote=statement.quote)
                 self.statements[-1:] = [Mention(quote=last.quote), moved]
             else:
@@ -283,3 +286,13 @@ def _is_of_it(statement: Clear, last: Clear) -> bool:
 
 def _is_at_it(place: Place) -> bool:
     return place.anchor is not None and place.anchor.refers == "last" and not place.anchor.noun
+
+
+def _new_where_none_are(none: Things, statement: Move) -> Add | None:
+    """Return ``put three on the bed`` after ``no towels`` as three new ones; None where those that are there move."""
+    amount = statement.things.amount
+    counted = amount.kind == "some" and amount.number > 0 and not statement.things.definite
+    if none.amount.kind != "all" or none.definite or not counted:
+        return None
+    new = msgspec.structs.replace(none, amount=amount, plural=amount.number > 1, place=None)
+    return Add(things=new, place=statement.place, quote=statement.quote)

@@ -127,7 +127,8 @@ class Headings(Progress):
             at = heading.end + 1
         if heading is not None and told and not heading.is_room and reader.text(heading.end) == ",":
             verb = verb_at(words, reader.skip(heading.end), self.lexicon)
-            if verb is not None and reader.text(verb[1]) in ("it", "them") and heading.phrase.definite:
+            goes = any(place.goal and not place.source for place in heading.places)
+            if verb is not None and reader.text(verb[1]) in ("it", "them") and heading.phrase.definite and not goes:
                 self.topic = heading.things()  # "the bin from the hall, bring it to the study"
                 self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
                 at = heading.end + 1

@@ -13,6 +13,8 @@ _LIDS: Final = frozenset("door lid".split())
 _OPENING: Final = frozenset("open close shut leave keep".split())
 """Verbs of what a door or a lid shall be."""
 
+_STATES: Final = frozenset("open closed shut ajar".split())
+
 _LIFTED: Final = {"lift": "open", "raise": "open", "lower": "close"}
 """Verbs of what a lid alone is opened and closed by."""
 
@@ -42,6 +44,10 @@ def opened_as_whole(words: Sequence[Word], before: Sequence[Word], lexicon: Lexi
         if lid and text_at(words, at + 2) == "of" and _opens(words, at + 3, lexicon) and not _room(words, at, lexicon):
             at += 3
             continue
+        headed = bool(out) and out[-1].text == ":" and word.text in _LIDS and text_at(words, at + 1) in _STATES
+        if headed and _names_what_opens(out, lexicon):
+            at += 1
+            continue  # "wardrobe in the bedroom: doors open"
         verb = out[-1].text if out else ""
         alone = text_at(words, at + 2) not in _OF_ROOMS
         if lid and alone and word.text == "the" and verb in _OPENING and _names_what_opens([*before, *out], lexicon):

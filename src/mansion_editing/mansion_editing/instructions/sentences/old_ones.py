@@ -6,9 +6,25 @@ from typing import Final
 
 import msgspec
 
-from mansion_editing.instructions.statements import Add, Ensure, Mention, Move, Place, Remove, Statement
+from mansion_editing.instructions.statements import (
+    Add,
+    Ensure,
+    Mention,
+    Move,
+    Place,
+    Remove,
+    Replace,
+    Statement,
+    Things,
+)
 
-__all__ = ["with_companions_first", "with_last_of_them_first", "with_old_ones_first"]
+__all__ = [
+    "with_companions_first",
+    "with_former_ones_first",
+    "with_last_of_them_first",
+    "with_old_ones_first",
+    "with_replacements",
+]
 
 _OLD: Final = re.compile(r"\bthe (?:old|existing|previous|former|current|present)\b", re.IGNORECASE)
 
@@ -30,6 +46,28 @@ def with_old_ones_first(statements: Sequence[Statement]) -> list[Statement]:
     return out
 
 
+def with_replacements(statements: Sequence[Statement]) -> list[Statement]:
+    """Return ``replace the clock by a painting`` for ``remove the clock and hang a painting where it was``."""
+    out: list[Statement] = []
+    for statement in statements:
+        last = out[-1] if out else None
+        new = _comes_in_its_place(statement)
+        if new is not None and isinstance(last, Remove):
+            out[-1] = Replace(things=last.things, by=new, quote=f"{last.quote}; {statement.quote}")
+        else:
+            out.append(statement)
+    return out
+
+
+def _comes_in_its_place(statement: Statement) -> Things | None:
+    """Return what is new where something stood, also in notes: ``remove the fridge, two plants in its place``."""
+    if isinstance(statement, Add | Ensure) and statement.place.former is not None:
+        return statement.things
+    if not isinstance(statement, Remove) or statement.things.definite or statement.things.place is None:
+        return None
+    return msgspec.structs.replace(statement.things, place=None) if statement.things.place.former is not None else None
+
+
 def with_companions_first(statements: Sequence[Statement]) -> list[Statement]:
     """Return what stands around furniture before that furniture goes or moves: ``the table and its chairs``."""
     out = list(statements)
@@ -41,6 +79,23 @@ def with_companions_first(statements: Sequence[Statement]) -> list[Statement]:
         if isinstance(owner, Remove | Move) and anchor is not None and anchor.noun == owner.things.noun:
             out[at - 1], out[at] = own, owner
     return out
+
+
+def with_former_ones_first(statements: Sequence[Statement]) -> list[Statement]:
+    """Return statements in which what stands somewhere goes before something comes ``where it stands now``."""
+    out = list(statements)
+    for at, new in enumerate(out):
+        former = new.place.former if isinstance(new, Add | Ensure | Move) else None
+        if former is None or not former.noun:
+            continue
+        goes = next((k for k in range(at + 1, len(out)) if _takes_away(out[k], former.noun)), 0)
+        if goes:
+            return [*out[:at], out[goes], new, *out[at + 1 : goes], *out[goes + 1 :]]
+    return out
+
+
+def _takes_away(statement: Statement, noun: str) -> bool:
+    return isinstance(statement, Remove | Move) and statement.things.noun == noun
 
 
 def with_last_of_them_first(statements: Sequence[Statement]) -> list[Statement]:

@@ -23,7 +23,7 @@ from mansion_editing.instructions.phrases.word_sets import (
 from mansion_editing.instructions.phrases.words import BE, MODALS, PERSONS, STATE_WORDS, Word
 from mansion_editing.instructions.statements import Amount, Ask, Place, Rooms, Things
 
-__all__ = ["read_question"]
+__all__ = ["further_question", "read_question"]
 
 _OPENINGS: Final = (
     ("tell", "me"), ("let", "me", "know"), ("can", "you", "tell", "me"), ("could", "you", "tell", "me"), ("say",),
@@ -65,6 +65,25 @@ def read_question(reader: ClauseReader, words: Sequence[Word], at: int, *, marke
             ask, end = found
             return msgspec.structs.replace(ask, quote=reader.quote(start, end)), end
     return None
+
+
+def further_question(reader: ClauseReader, first: tuple[Ask, int], *, marked: bool) -> tuple[Ask, int] | None:
+    """Read a question that is joined to the one before it: ``... and how many in the hall``; None where none is.
+
+    Raises
+    ------
+    NotUnderstood
+    """
+    ask, before = first
+    at = reader.skip(before)
+    if not (reader.text(at) in ("and", "or") or reader.text(at - 1) in (",", "and")) or at >= len(reader.words):
+        return None
+    if ask.about == "count" and ask.place is not None and reader.text(at + 1) == "many":
+        place, end = _rest(reader, at + 2)
+        if place is not None and place != Place():
+            return msgspec.structs.replace(ask, place=place, quote=reader.quote(at, end)), end
+    found = read_question(reader, reader.words, at, marked=marked)
+    return found if found is not None and found[1] > at else None
 
 
 def _place_of(item: Item) -> Place | None:

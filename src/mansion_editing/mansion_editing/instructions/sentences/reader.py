@@ -31,11 +31,14 @@ from mansion_editing.instructions.sentences.lacking_some import LackingSome
 from mansion_editing.instructions.sentences.lids import opened_as_whole
 from mansion_editing.instructions.sentences.old_ones import (
     with_companions_first,
+    with_former_ones_first,
     with_last_of_them_first,
     with_old_ones_first,
+    with_replacements,
 )
 from mansion_editing.instructions.sentences.owners import owners_named
-from mansion_editing.instructions.sentences.questions import read_question
+from mansion_editing.instructions.sentences.painted_rooms import painted_rooms
+from mansion_editing.instructions.sentences.questions import further_question, read_question
 from mansion_editing.instructions.sentences.recounting import Recounting
 from mansion_editing.instructions.sentences.referring import Referring
 from mansion_editing.instructions.sentences.refinement import (
@@ -55,7 +58,11 @@ from mansion_editing.instructions.sentences.refinement import (
 )
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.scene_setting import SceneSetting
+from mansion_editing.instructions.sentences.seats import laid_on_seats
+from mansion_editing.instructions.sentences.selecting import with_those_taken
+from mansion_editing.instructions.sentences.states_of_each import with_states_of_each
 from mansion_editing.instructions.sentences.telling import Telling
+from mansion_editing.instructions.sentences.together import brought_together
 from mansion_editing.instructions.sentences.topics import about_its_room
 from mansion_editing.instructions.statements import (
     Add,
@@ -138,6 +145,7 @@ class _Reader(
         self.statements = [one_more_there(s, self.statements[:number]) for number, s in enumerate(self.statements)]
         self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
         self.unknown += self._instead_of_nothing() + self._complained_in_vain()
+        self.unknown += laid_on_seats(self.statements)
         self.unknown += [s.quote for s in self.statements if isinstance(s, Mention) and _FOR_ALL.match(s.quote)]
         if not self.unknown:
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
@@ -150,10 +158,12 @@ class _Reader(
         compared = [w for w in plain if is_comparative(SIZE_HINTS.get(w.text, "")) and '"type":"Replace"' in told]
         plain = [w for w in plain if w not in compared]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        ordered = with_companions_first(with_last_of_them_first(with_old_ones_first(self.statements)))
+        chosen = with_states_of_each(brought_together(with_those_taken(self.statements)))
+        ordered = with_old_ones_first(with_replacements(with_former_ones_first(chosen)))
+        ordered = with_companions_first(with_last_of_them_first(ordered))
         ordered = with_takings_first(ordered, self.lexicon)
         statements = turned_by_list(with_storeys(ordered), self.text)
-        statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
+        statements = sets_as_one(sparing_what_goes(painted_rooms(statements)), self.lexicon)
         statements = [
             about_its_room(s, self._words_of(s.quote), self.lexicon, self.floors) if self._tells(s) else s
             for s in statements
@@ -517,6 +527,7 @@ class _Reader(
     def _reads_question(self, reader: ClauseReader, words: Sequence[Word], at: int, *, marked: bool) -> bool:
         try:
             found = read_question(reader, words, at, marked=marked)
+            more = None if found is None else further_question(reader, found, marked=marked)
         except NotUnderstood as fault:
             if words[at].text in MODALS:
                 return False  # "could the black chairs be white ones?"
@@ -528,11 +539,9 @@ class _Reader(
         self.statements.append(ask)
         end = reader.skip(end)
         if end < len(words):
-            if words[end].text in ("and", "or") or words[end - 1].text in (",", "and"):
-                more = read_question(reader, words, end, marked=marked)
-                if more is not None and more[1] > end:
-                    self.statements.append(more[0])
-                    end = reader.skip(more[1])
+            if more is not None:
+                self.statements.append(more[0])
+                end = reader.skip(more[1])
             if end < len(words) and reader.starts_clause(end):
                 self.topic = self._asked_for(ask)
                 while end < len(words):
@@ -567,6 +576,7 @@ class _Reader(
         if more is not None and more.place.rooms is not None and reader.starts_clause(reader.skip(more.end)):
             self.frames = (more.place,)
             end = more.end
+        end += reader.text(end) == "only" and reader.text(end + 1) == ","  # "in the kitchen only, ..."
         comma = reader.text(end) in (",", ":", "-")
         after = reader.skip(end)
         begins = reader.starts_clause(after) or reader.text(after) == "there" or reader.phrase(after) is not None

@@ -186,6 +186,11 @@ class Referring(Progress):
                 value = msgspec.structs.replace(value, place=topic.place)
             if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
                 where = named(value.place)
+                counted = value.things.amount.kind == "some" and value.things.amount.number > 0
+                if topic.amount.kind in ("all", "none") and counted and not value.things.definite:  # "no towels here"
+                    several = value.things.amount.number > 1
+                    new = msgspec.structs.replace(topic, amount=value.things.amount, plural=several, place=None)
+                    return Add(things=new, place=where, quote=value.quote)
                 if topic.amount.kind == "more":  # told to be missing
                     where = where if where.rooms or rooms is None else msgspec.structs.replace(where, rooms=rooms)
                     return Add(things=msgspec.structs.replace(topic, place=None), place=where, quote=value.quote)
@@ -193,7 +198,8 @@ class Referring(Progress):
             if isinstance(value, Rooms) and value.same and not value.words and rooms:
                 return rooms
             if isinstance(value, Things) and value.refers == "last" and not value.noun:
-                if value.amount.number and value.amount.kind == "some" and topic.amount.kind != "all":
+                told_whole = topic.amount.kind == "all" and (topic.each or value.amount.number == topic.amount.number)
+                if value.amount.number and value.amount.kind == "some" and not told_whole:
                     several = value.amount.number > 1
                     return msgspec.structs.replace(topic, amount=value.amount, plural=several, definite=False)
                 if value.amount.kind in ("all_but", "half"):

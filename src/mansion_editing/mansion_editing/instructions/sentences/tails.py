@@ -139,7 +139,7 @@ class Tails(EndingNumbers, Resulting, Counting):
         depends = fits or self._depends_on(reader, at + (words[at].text == ","))
         if depends:
             return depends
-        if self._takes_its_place(words, at) or (*pair, text_at(words, at + 2)) == ("from", "now", "on"):
+        if (*pair, text_at(words, at + 2)) == ("from", "now", "on"):
             return at + 3
         contrast = self._contrasted(reader, at + 2) if pair in (("rather", "than"), ("instead", "of")) else 0
         if contrast:
@@ -478,19 +478,6 @@ class Tails(EndingNumbers, Resulting, Counting):
             end += texts[end : end + 1] in (["there"], ["left"])
             return at + end if at + end >= len(words) or words[at + end].kind == "mark" else 0
         return 0
-
-    def _takes_its_place(self, words: Sequence[Word], at: int) -> bool:
-        """Read ``in its place`` after something new, which then stands where what was removed stood."""
-        last = self.statements[-1] if self.statements else None
-        said = [w.raw for w in words[at : at + 3]]
-        new = self.clause[0] if len(self.clause) == 1 else None
-        if said not in (["in", "its", "place"], ["in", "their", "place"]) or not isinstance(last, Remove):
-            return False
-        if not isinstance(new, Add | Ensure) or new.place not in (Place(), last.things.place):
-            return False
-        self.statements.pop()
-        self.clause = [Replace(things=last.things, by=new.things, quote=self._from_to(last, new))]
-        return True
 
     def _depends_on(self, reader: ClauseReader, at: int) -> int:
         """Read a condition after a clause, on which its statements then depend; return its end, 0 where it is none."""

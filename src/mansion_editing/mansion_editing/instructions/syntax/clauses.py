@@ -108,6 +108,8 @@ def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
     """Return the end of a clause whose verb stands at a place: where a mark or a joint comes before another one."""
     for k in range(at + 1, len(words)):
         word, following = words[k], k + 1
+        if _is_range(words, k):
+            continue
         if word.text in ("(", ")", ":") or (word.text in _MARKS and form == "fragment"):
             return k
         if word.text == "so" and words[at].verb in TURNING:
@@ -140,6 +142,14 @@ def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
         elif word.tag == "modal" and word.text in _PLEAS and k + 1 < len(words) and words[k + 1].text == "you":
             return k
     return len(words)
+
+
+def _is_range(words: Sequence[TaggedWord], at: int) -> bool:
+    """Whether a dash stands between two numbers: ``rooms 1-4``."""
+    if words[at].text not in ("-", "–") or at + 1 >= len(words):
+        return False
+    touching = words[at - 1].end == words[at].start and words[at].end == words[at + 1].start
+    return touching and words[at - 1].tag == words[at + 1].tag == "number"
 
 
 def _adds_one_more(words: Sequence[TaggedWord], at: int) -> bool:
@@ -191,7 +201,7 @@ def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
     following = words[at + 1] if at + 1 < len(words) else None
     if word.tag == "verb" and word.form == "base":
         return "order", at, at
-    if word.tag == "do" and following is not None and following.tag == "not":
+    if word.tag == "do" and following is not None and (following.tag == "not" or following.form == "base"):
         return "order", at, at
     if word.tag == "subordinator" and word.text in _CONDITIONS:
         verb = next((k for k in range(at + 1, min(len(words), at + 12)) if words[k].is_finite), None)
@@ -202,6 +212,8 @@ def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
     exists = following is not None and (following.is_finite or following.text == "used")
     if word.tag == "there" and exists:
         return "existence", at + 1, at
+    if word.tag == "be" and following is not None and following.tag == "there":
+        return "question", at, at + 1
     if word.tag in ("modal", "be", "do", "have") and end_of_noun_group(words, at + 1) > at + 1:
         return "question", at, at + 1
     if word.tag == "subordinator" or (word.text in _ALSO_SUBORDINATE and word.tag in ("preposition", "joint")):

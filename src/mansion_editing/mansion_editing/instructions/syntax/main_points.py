@@ -7,13 +7,19 @@ from typing import Final
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.words import PLURAL_PRONOUNS, SENTENCE_ENDS
+from mansion_editing.instructions.syntax.appositions import without_appositions
 from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
+from mansion_editing.instructions.syntax.list_colons import without_list_colons
 from mansion_editing.instructions.syntax.made_numbers import made_number, with_number_made
 from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in, taken_up
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
+from mansion_editing.instructions.syntax.pairs.joining import with_pairs_joined
 from mansion_editing.instructions.syntax.plain_requests import plainly_asked
-from mansion_editing.instructions.syntax.requests import names_something, only_tells
+from mansion_editing.instructions.syntax.requests import is_person, names_something, only_tells
+from mansion_editing.instructions.syntax.room_numbers import with_room_numbers
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
+from mansion_editing.instructions.syntax.wished_states import with_wished_states
+from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import plural, singular
 
 __all__ = ["MainPoints", "main_points"]
@@ -22,8 +28,11 @@ _PRONOUNS: Final = frozenset("it them they this that these those both".split())
 _THAT: Final = frozenset("that this the those these".split())
 _ONES: Final = frozenset(["one", "ones"])
 _HITHER: Final = frozenset("in over across along".split())
-_ALSO: Final = frozenset("too also well".split())
+_ALSO: Final = frozenset("too also well likewise ditto".split())
 _CORRECTING: Final = frozenset("no nope sorry wait oops correction scratch forget rather actually".split())
+_PARTS_OF_ROOMS: Final = frozenset("door wall window corner floor ceiling middle entrance".split())
+_WAYS: Final = frozenset(["into", "onto", "to"])
+"""Prepositions by which a clause without a verb asks that something goes somewhere."""
 _FOREIGN: Final = frozenset('$ { } \\ / ~ & * _ = < > | # @ % ^ " “ ”'.split())
 """Marks of names and of code, which are no English."""
 
@@ -48,7 +57,7 @@ class _Uncertain(Exception):
 
 
 def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
-    """Yield what a text asks for, in its own words and then as plain orders.
+    """Yield what a text asks for as plain orders and then in its own words.
 
     Nothing where all of it only tells, or a pronoun is not certain.
 
@@ -57,21 +66,31 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     text : str
         In running text, without contractions.
     """
-    words: Sequence[TaggedWord] = tagged(text, lexicon)
+    text = with_pairs_joined(with_room_numbers(text, lexicon), lexicon)
+    words: Sequence[TaggedWord] = with_wished_states(without_appositions(without_list_colons(tagged(text, lexicon))))
     if any(word.text in _FOREIGN for word in words):
         return
     clauses, words = _wished(clauses_of(words), words)
     told = [only_tells(clause, words, lexicon) for clause in clauses]
     told = [
-        (tells and not (_is_listed(clauses, words, number, lexicon) or _asks_opinion(clauses, words, number)))
+        (
+            tells
+            and not (
+                _goes_on_wishing(clauses, words, number)
+                or _is_listed(clauses, words, number, lexicon)
+                or _asks_opinion(clauses, words, number)
+            )
+        )
         or _is_topic(clauses, words, number)
         or _is_counted_before(clauses, words, number)
         or _repeats_swap(clauses, words, number)
+        or _is_met_next(clauses, words, number)
+        or _is_heading(clauses, words, number, lexicon)
         for number, tells in enumerate(told)
     ]
     if all(told) or any(tells and _corrects(clause, words) for clause, tells in zip(clauses, told, strict=True)):
         return
-    for plainly in (False, True):
+    for plainly in (True, False):
         try:
             points = _Points(text, words, lexicon, plainly=plainly)
             for clause, tells in zip(clauses, told, strict=True):
@@ -92,6 +111,7 @@ class _Points:
     mentions: list[list[Mentioned]] = field(default_factory=list)
     asked: list[tuple[Clause, list[TaggedWord]]] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    names_rooms: bool = False
     described: list[str] = field(default_factory=list)
 
     def add(self, clause: Clause, *, tells: bool) -> None:
@@ -105,13 +125,14 @@ class _Points:
         if tells:
             said_so = self.text[self.words[clause.start].start : self.words[clause.end - 1].end]
             self.remarks.append(said_so)
-            if clause.form == "existence" or self.words[clause.verb].tag == "have":
+            coloured = self.words[clause.verb].tag == "be" and self.words[clause.end - 1].text in COLOUR_WORDS
+            if clause.form == "existence" or self.words[clause.verb].tag == "have" or coloured:
                 self.described.append(said_so)
         elif self._makes_number(clause):
             pass
         else:
             said = [*self._shared_subject(clause), *self._with_antecedents(clause, mentions)]
-            said = self._with_counted_noun(said)
+            said = self._with_counted_noun(self._with_replaced(said))
             said = self._with_room_as_goal(self._with_room_for_there(said)) if self._tells_room() else said
             said = self._in_each_room(self._with_verb_before(clause, said) or said)
             if self.remarks and not self.asked and any(w.text == "there" and w.tag == "adverb" for w in said):
@@ -148,7 +169,7 @@ class _Points:
         whole = "".join(parts)
         rooms = self._told_rooms()
         named = any(one.kind == "room" and not one.told for mentions in self.mentions for one in mentions)
-        if len(rooms) == 1 and not named and rooms[0] not in whole:
+        if len(rooms) == 1 and not (named or self.names_rooms) and rooms[0] not in whole:
             return f"in {rooms[0]}, {whole}{mark}"
         return f"{whole}{mark}"
 
@@ -223,9 +244,11 @@ class _Points:
         end = len(said) - 1 - (said[-2:-1] != [] and said[-2].text == "as")
         named = end_of_noun_group(said[:end], 0)
         start = 1 + (before[1].text in ("out", "up", "down", "off", "away"))
-        rest = before[max(start, end_of_noun_group(before, start)) :]
+        rest = before[max(start, _end_of_list(before, start)) :]
         rest = [word for word in rest if word.tag in ("preposition", "adverb")][:1] if named < end else rest
-        return [*before[:start], *said[:end], *rest] if named else []
+        again = [replace(before[0], raw=before[0].text), *before[1:start]]
+        named_first = said[0] if said[0].tag == "noun" else replace(said[0], raw=said[0].text)
+        return [*again, named_first, *said[1:end], *rest] if named else []
 
     def _with_antecedents(self, clause: Clause, own: Sequence[Mentioned]) -> list[TaggedWord]:
         """Return the words of a clause with what pronouns of it take up of clauses that only tell.
@@ -246,6 +269,23 @@ class _Points:
                 out = out[:-1] if new else out
             elif word.text in _ONES and word.tag in ("pronoun", "number") and not within:
                 new = self._instead_of_one(clause, number)
+            elif word.tag == "number" and out and out[-1].text == "in" and (rooms := self._numbered_rooms(number)):
+                out.append(replace(word, raw=f"{rooms} {word.raw}"))
+                continue
+            elif word.text in ("their", "his", "her") and (owner := self._owner_of_room(number)):
+                out.append(replace(word, text=owner, raw=owner, tag="possessive"))
+                continue
+            elif word.text == "its" and self._is_part_of_told_room(number):
+                out.append(replace(word, text="the", raw="the", tag="determiner"))
+                continue
+            elif word.text == "none" and (noun := self._noun_for("ones")):
+                new = f"no {noun}"
+            elif word.text == "it" and _is_of_part(out) and len(self._told_rooms()) == 1:
+                out.append(replace(word, raw=self._told_rooms()[0], tag="noun"))
+                self.names_rooms = True
+                continue
+            elif word.text == "each" and out and out[-1].tag == "preposition" and word.tag == "pronoun":
+                new = self._each_of_them()
             elif word.tag == "pronoun" and word.text in _PRONOUNS and not (within or taken_up):
                 new, out = self._instead_of_pronoun(word, out, last=number + 1 == clause.end)
             taken_up = taken_up or (bool(new) and word.text not in _ONES)
@@ -268,6 +308,60 @@ class _Points:
         if new and last and before and before[0].verb in ("leave", "keep"):
             return f"{new} as {'they are' if word.text in PLURAL_PRONOUNS else 'it is'}", before
         return new, before
+
+    def _with_replaced(self, said: list[TaggedWord]) -> list[TaggedWord]:
+        """Return ``replace the plants by lamps`` for ``replace by lamps, as many as there were plants``.
+
+        Raises
+        ------
+        _Uncertain
+        """
+        if (
+            said[0].verb not in ("replace", "swap", "exchange")
+            or len(said) < 3
+            or said[1].text not in ("by", "with", "for")
+        ):
+            return said
+        things = next((found for m in reversed(self.mentions) if (found := [t for t in m if t.kind == "thing"])), [])
+        if len(things) != 1 or not things[0].told:
+            return said
+        texts = [word.text for word in said]
+        many = next((k for k in range(len(texts) - 2) if texts[k : k + 3] == ["as", "many", "as"]), len(said))
+        rest = said[1 : many - (texts[many - 1] == ",")]
+        return [said[0], replace(said[1], raw=things[0].words, tag="noun"), *rest]
+
+    def _numbered_rooms(self, at: int) -> str:
+        """Return ``nap rooms`` for ``in 2, 3 and 4`` after words about them; empty where no such were told of."""
+        following = self.words[at + 1] if at + 1 < len(self.words) else None
+        bare = following is None or following.tag in ("mark", "joint")
+        rooms = self.mentions[-1] if self.mentions else []
+        several = [one for one in rooms if one.kind == "room" and one.told and one.plural]
+        numbered = self.words[at].text.isdecimal() and bare and len(several) == 1
+        self.names_rooms = self.names_rooms or numbered
+        return several[0].noun if numbered else ""
+
+    def _owner_of_room(self, at: int) -> str:
+        """Return ``the kids'`` for ``their`` before ``room`` after words about the kids, whose room there is."""
+        room = self.words[at + 1].text if at + 1 < len(self.words) else ""
+        for person in reversed(self.words[:at]):
+            name = (singular(person.text), room)
+            if person.tag == "noun" and is_person([person]) and self.lexicon.is_own_room(name):
+                return f"the {person.text}'" if person.text.endswith("s") else f"the {person.text}'s"
+        return ""
+
+    def _is_part_of_told_room(self, at: int) -> bool:
+        """Whether ``its`` stands before a part of the room that was told of just before: ``by its door``."""
+        last = self.mentions[-1] if self.mentions else []
+        part = self.words[at + 1].text if at + 1 < len(self.words) else ""
+        return singular(part) in _PARTS_OF_ROOMS and [one.kind for one in last] == ["room"] and last[0].told
+
+    def _each_of_them(self) -> str:
+        """Return ``each of the six desks`` for ``each`` after words about them; empty where none were told of."""
+        for mentions in reversed(self.mentions):
+            several = [one for one in mentions if one.kind == "thing" and one.plural]
+            if several:
+                return f"each of {several[0].words}" if len(several) == 1 and several[0].told else ""
+        return ""
 
     def _instead_of_one(self, clause: Clause, number: int) -> str:
         """Return the noun that ``one`` stands for, with an article where it has none; empty where none was told of."""
@@ -310,6 +404,22 @@ class _Points:
         return ""
 
 
+def _is_of_part(words: Sequence[TaggedWord]) -> bool:
+    """Whether words end with ``in the middle of``, which only a room can follow."""
+    return len(words) > 1 and words[-1].text == "of" and words[-2].text in _PARTS_OF_ROOMS | {"centre", "center"}
+
+
+def _end_of_list(words: Sequence[TaggedWord], at: int) -> int:
+    """Return the end of the noun groups that are listed from a place on: ``the mug and the plate``."""
+    end = end_of_noun_group(words, at)
+    while end < len(words) and words[end].text in ("and", ","):
+        following = end_of_noun_group(words, end + 1)
+        if following == end + 1:
+            break
+        end = following
+    return end
+
+
 def _joint(last: Clause, clause: Clause, words: Sequence[TaggedWord], mark: str) -> str:
     """Return what stands between two clauses: as it was within a sentence, a comma after a place that begins one."""
     if clause.form == "fragment" and clause.after in ("-", ":") and words[clause.start].tag == "preposition":
@@ -320,6 +430,8 @@ def _joint(last: Clause, clause: Clause, words: Sequence[TaggedWord], mark: str)
         return ": "
     if clause.sentence != last.sentence or clause.after in (":", "-", "(", "–"):
         return f"{mark} "
+    if clause.after == "then":
+        return ", then "
     return f" {clause.after} " if clause.after.isalpha() else ", "
 
 
@@ -391,6 +503,40 @@ def _repeats_swap(clauses: Sequence[Clause], words: Sequence[TaggedWord], number
     return any(word.text in ("other", "other's") for word in words[clause.start : clause.end])
 
 
+_VAGUELY: Final = frozenset("more some light seating storage space colour color greenery warmth".split())
+
+
+def _is_met_next(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:
+    """Whether ``the hall needs more light`` only says why the next clause adds a lamp."""
+    clause = clauses[number]
+    following = clauses[number + 1] if number + 1 < len(clauses) else None
+    if clause.form != "statement" or following is None or following.form != "order":
+        return False
+    adding = BY_WORDS.get((words[following.verb].verb,)) in ("add", "bring")
+    needed = [word for word in words[clause.verb : clause.end] if word.tag not in ("adverb", "verb")]
+    vague = len(needed) == 2 and all(word.text in _VAGUELY for word in needed)
+    return adding and vague and words[clause.verb].verb in ("need", "want", "require", "lack")
+
+
+def _goes_on_wishing(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:
+    """Whether a clause lists more of what the one before needs: ``..., a mug for her and the rack opened``."""
+    clause = clauses[number]
+    before = clauses[number - 1] if number else None
+    if before is None or before.sentence != clause.sentence or clause.after != ",":
+        return False
+    wishing = any(word.verb in ("need", "want", "require") for word in words[before.start : before.end])
+    return wishing and words[clause.start].text in ("a", "an", "two", "three", "some", "one")
+
+
+def _is_heading(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int, lexicon: Lexicon) -> bool:
+    """Whether a sentence only names the room that the next ones are about: ``Crisis room. Take the lamp away.``."""
+    clause = clauses[number]
+    said = words[clause.start : clause.end]
+    alone = number == 0 and clause.form == "fragment" and len(clauses) > 1 and clauses[1].sentence != clause.sentence
+    nouns = tuple(singular(word.text) for word in said if word.tag != "determiner")
+    return alone and lexicon.is_own_room(nouns) and not lexicon.is_called(nouns)
+
+
 def _corrects(clause: Clause, words: Sequence[TaggedWord]) -> bool:
     """Whether a clause takes back or puts right what was said: ``I mean the other one``."""
     texts = [word.text for word in words[clause.start : clause.end]]
@@ -413,6 +559,7 @@ def _is_topic(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: in
     concerning = [word.text for word in words[clause.start : clause.start + 2]] == ["as", "for"]
     first = words[clause.start + 2 * concerning]
     opens = first.tag in ("determiner", "possessive", "noun", "number") and first.text not in ("no", "every")
+    opens = opens and not any(word.text in _WAYS for word in words[clause.start : clause.end])
     pronoun = next((at for at, word in enumerate(later) if word.tag == "pronoun" and word.text in _PRONOUNS), None)
     named = pronoun is not None and any(word.tag == "noun" for word in later[:pronoun])
     return opens and pronoun is not None and not named

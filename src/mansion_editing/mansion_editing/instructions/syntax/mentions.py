@@ -60,6 +60,7 @@ def mentioned_in(
     found: list[Mentioned] = []
     at = clause.start
     first = True
+    first_room = words[clause.start].text in ("in", "at") and clause.form == "statement"
     inside = 0
     while at < clause.end:
         end = end_of_noun_group(words[: clause.end], at)
@@ -67,12 +68,23 @@ def mentioned_in(
             at += 1
             continue
         kind = _kind(words[at:end], lexicon)
+        again = words[at].text == "the" and words[end - 1].text == "one" and bool(found) and found[-1].kind == "thing"
+        if again and end == at + 2:
+            place = _place_after(clause, words, end)
+            said = f"the {singular(found[-1].noun)} {text_of(place, text)}".strip()
+            inside = max(inside, place[-1].end if place else 0)
+            stop = _end_of(place, words, end)
+            found.append(Mentioned("thing", said, found[-1].noun, False, False, told, at, end, stop))
+            at = end
+            continue
         if kind == "thing" and words[at].start < inside:
             kind = None
         if kind is not None:
             place = _place_after(clause, words, end) if kind == "thing" else ()
             inside = max(inside, place[-1].end if place else 0)
             said = _said_again(words[at:end], text) + (f" {text_of(place, text)}" if place else "")
+            fronted = found[0] if found and first_room and kind == "thing" and at <= clause.verb else None
+            said += f" in {fronted.words}" if fronted is not None else ""
             head = next((word for word in reversed(words[at:end]) if word.tag == "noun"), words[end - 1])
             nouns = _name(words[at:end], lexicon)
             plural = _is_plural(words[at:end], head)
@@ -81,6 +93,7 @@ def mentioned_in(
                 Mentioned(kind, said, text_of(nouns, text), plural, leads, told, at, end, _end_of(place, words, end))
             )
         first = first and words[at].tag == "there"
+        first_room = first_room and bool(found) and found[0].kind == "room"
         at = end
     return found
 
@@ -94,6 +107,9 @@ def _kind(words: Sequence[TaggedWord], lexicon: Lexicon) -> Kind | None:
     nouns = [singular(word.text) for word in words if word.tag in ("noun", "verb")]
     if not nouns or is_person(words):
         return None
+    numbered = words[-1].tag == "number" and words[-2:-1] != [] and words[-2].tag == "noun"
+    if numbered and lexicon.is_room((singular(words[-2].text),)) and not lexicon.is_called((singular(words[-2].text),)):
+        return "room"  # "hall 2"
     spans = [tuple(nouns[-count:]) for count in (3, 2, 1) if len(nouns) >= count]
     called = lexicon.is_own_room(spans[0]) and not lexicon.is_called(spans[0])
     if called or (any(lexicon.is_own_room(span) for span in spans) and not lexicon.is_object(spans[0])):
@@ -119,6 +135,8 @@ def _said_again(words: Sequence[TaggedWord], text: str) -> str:
     """Return a noun group with ``the``, or as it stands where it is definite already."""
     first = words[0]
     text = f"{text[: first.start]}{text[first.start].lower()}{text[first.start + 1 :]}" if first.tag != "noun" else text
+    if first.text in ("whose", "which", "what"):
+        return f"the {text_of(words[1:], text)}"  # "whose boots are in the hall?"
     if first.tag == "possessive" or first.text in ("the", "these", "those", "both", "all", "this", "that", "every"):
         return text_of(words, text)
     numbered = first.tag == "noun" and words[-1].tag == "number"  # "room 4"
@@ -134,7 +152,12 @@ def _place_after(clause: Clause, words: Sequence[TaggedWord], at: int) -> Sequen
     while at < clause.end and (words[at].text in _IDLE or (at <= clause.verb + 3 and _says_where(words[at], resting))):
         at += 1
     start = at
-    while at < clause.end and words[at].tag == "preposition" and words[at].text not in ("for", "with", "like", "at"):
+    while at < clause.end:
+        if words[at].text in ("upstairs", "downstairs"):
+            at += 1
+            continue
+        if words[at].tag != "preposition" or words[at].text in ("for", "with", "like", "at"):
+            break
         end = end_of_noun_group(words[: clause.end], at + 1)
         if end == at + 1:
             if at + 1 < clause.end and words[at + 1].tag in ("preposition", "to"):

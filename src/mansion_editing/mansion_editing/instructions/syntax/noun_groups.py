@@ -12,6 +12,7 @@ _ALONE: Final = frozenset(["pronoun", "somebody", "number"])
 _WITHIN: Final = frozenset(["noun", "adjective", "number"])
 _ADDING: Final = frozenset("which who along together including with".split())
 """Words that begin an addition between commas: ``the desk, along with its chair, ...``."""
+_BETWEEN_NUMBERS: Final = frozenset(["to", "and", "or", ",", "-", "–", "&"])
 _MOST_STEPS: Final = 40
 
 
@@ -27,10 +28,11 @@ def end_of_noun_group(words: Sequence[TaggedWord], at: int) -> int:
         at += 1
     named = at
     while _tag(words, at) in _WITHIN or _is_before_noun(words, at):
-        if at > named and _tag(words, at) == "number" and not _text(words, at).isdecimal():
+        if at > named and _text(words, at) == "one":
             break  # "the storage room one"
         at += 1
     if at > named:
+        at = _end_of_numbers(words, at)
         joined = _text(words, at) == "'" or _text(words, at - 1).endswith(("'s", "s'"))
         return end_of_noun_group(words, at) if joined and _tag(words, at) in _BEFORE_NOUNS | _WITHIN else at
     if at > first and _tag(words, at) in ("pronoun", "somebody"):
@@ -40,6 +42,16 @@ def end_of_noun_group(words: Sequence[TaggedWord], at: int) -> int:
     if _tag(words, at) in _ALONE:
         return at + 1
     return start
+
+
+def _end_of_numbers(words: Sequence[TaggedWord], at: int) -> int:
+    """Return the end of ``rooms 1 to 4``, ``rooms 2, 3 and 5`` whose first number ends at a place."""
+    numbered = _tag(words, at - 2) == "noun" and _text(words, at - 1).isdecimal()
+    while numbered and _text(words, at) in _BETWEEN_NUMBERS and _text(words, at + 1).isdecimal():
+        if _tag(words, at + 2) == "noun":
+            break  # "room 4 and 2 chairs"
+        at += 2
+    return at
 
 
 def _is_before_noun(words: Sequence[TaggedWord], at: int) -> bool:
@@ -73,7 +85,8 @@ def _after_attachment(words: Sequence[TaggedWord], at: int) -> int:
     word = words[at]
     if word.tag in ("preposition", "to") or (word.tag == "joint" and word.text in ("and", "or")):
         end = end_of_noun_group(words, at + 1)
-        return end if end > at + 1 else at
+        here = word.tag == "preposition" and _text(words, at + 1) in ("here", "there")  # "nobody up here"
+        return end if end > at + 1 else at + 2 if here else at
     following = words[at + 1] if at + 1 < len(words) else None
     if word.text == "," and following is not None and following.text in _ADDING:
         comma = next((k for k in range(at + 2, len(words)) if words[k].text == ","), None)

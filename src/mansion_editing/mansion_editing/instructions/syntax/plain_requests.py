@@ -10,8 +10,31 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.syntax.clauses import TURNING
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
+from mansion_editing.instructions.syntax.plain_things import (
+    with_colour_first,
+    with_lamp_of_ceiling,
+    with_one_for_each,
+    without_alternatives,
+    without_contrast,
+    without_load,
+    without_simile,
+)
+from mansion_editing.instructions.syntax.plain_wishes import (
+    WAYS,
+    as_caused,
+    as_going,
+    as_new,
+    as_painted,
+    as_running,
+    end_of_place,
+    with_lid_closed,
+    with_place_after,
+    with_seats,
+    without_emphasis,
+)
 from mansion_editing.instructions.syntax.requests import names_something
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
+from mansion_editing.instructions.syntax.wished_states import with_wished_colour
 from mansion_language.inflection import plural, singular
 
 __all__ = ["plainly_asked"]
@@ -27,16 +50,17 @@ _RESTING: Final = frozenset(
 )
 _PARTICLES: Final = frozenset("up down over out across along round around away back off through".split())
 _GOALS: Final = frozenset("in into on onto to under next behind beside by between at near against inside".split())
-_WAYS: Final = frozenset("into onto to".split())
-"""Prepositions by which things that are there go somewhere; in others they may only be there."""
 
 
 def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
-        _without_edges, _without_added_clause, _with_companions, _without_comparison, _with_share, _with_part_after,
-        _with_replaced_after, _as_obliged, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
-        _as_turned, _without_purpose, _with_plain_verb,
+        _without_edges, with_place_after, without_emphasis, with_seats, as_caused, as_running, as_painted, as_new,
+        with_lid_closed, _without_added_clause, _with_companions, _without_comparison, without_simile,
+        without_contrast, without_load, with_one_for_each, without_alternatives, with_colour_first,
+        with_lamp_of_ceiling, _as_removed, _with_share, _with_part_after, _with_replaced_after, as_going, _as_obliged,
+        with_wished_colour, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives, _as_turned,
+        _without_purpose, _with_plain_verb,
     )  # fmt: skip
     said = list(words)
     for step in steps:
@@ -49,7 +73,7 @@ def _without_edges(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord
     start, end = 0, len(words)
     while start < end - 1 and (words[start].tag in _IDLE and words[start].text not in _KEPT_ADVERBS):
         start += 1 + (words[start + 1].text == "," if start + 1 < end else 0)
-    while end > start + 1 and (words[end - 1].tag == "interjection" or words[end - 1].text in ("please", ",")):
+    while end > start + 1 and (words[end - 1].tag == "interjection" or words[end - 1].text in _LAST):
         end -= 1
     return words[start:end]
 
@@ -61,6 +85,31 @@ def _without_added_clause(words: list[TaggedWord], lexicon: Lexicon) -> list[Tag
     if not start or names_something(words[start:end], lexicon) or any(w.text in _OBLIGING for w in words[start:end]):
         return words
     return [*words[: start - 1], *words[end + 1 :]]
+
+
+_LAST: Final = frozenset("please , anyway really though meanwhile accordingly then".split())
+_OUT_OF_HERE: Final = frozenset("building house flat apartment premises hut station property home place".split())
+
+
+def _as_removed(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``remove the screen`` for ``take the screen off the wall and out of the building``."""
+    texts = [word.text for word in words]
+    out = next(
+        (k for k in range(2, len(words) - 3) if texts[k : k + 3] in (["out", "of", "the"], ["out", "of", "this"])), 0
+    )
+    carried = words[0].form == "base" and BY_WORDS.get((words[0].verb,)) in ("take", "move", "bring", "throw")
+    if not carried or not out or texts[out + 3] not in _OUT_OF_HERE or out + 4 < len(words):
+        return words
+    end = out - (texts[out - 1] in ("and", ","))
+    order = replace(words[0], text="remove", raw="remove", verb="remove")
+    wall = next(
+        (k for k in range(2, end) if texts[k] in ("off", "from") and texts[k + 1 : k + 3] == ["the", "wall"]), 0
+    )
+    if not wall:
+        return [order, *words[1:end]]
+    named = end_of_noun_group(words, 1)
+    on_it = [replace(words[wall], text="on", raw="on"), *words[wall + 1 : wall + 3]]
+    return [order, *words[1:named], *on_it, *words[named:wall]]
 
 
 _WITH: Final = (["along", "with"], ["together", "with"])
@@ -77,7 +126,7 @@ def _with_companions(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
     return words
 
 
-_ALIKE: Final = (["like", "the"], ["like", "those"], ["as", "the"], ["like", "that"], ["with", "the"])
+_ALIKE: Final = (["like", "the"], ["just", "like"], ["like", "those"], ["as", "the"], ["like", "that"], ["with", "the"])
 _NO_LONGER: Final = (["any", "longer"], ["any", "more"], ["anymore"])
 
 
@@ -88,7 +137,7 @@ def _without_comparison(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagge
         if texts[0] == "no" and texts[-len(said) :] == said and len(words) > len(said):
             return _without_comparison(words[: -len(said)], lexicon)
     for at in range(2, len(words) - 2):
-        alike = texts[at : at + 2] in _ALIKE and texts[at + 2] in ("one", "ones", "other", "others")
+        alike = texts[at : at + 2] in _ALIKE and texts[at + 2] in ("one", "ones", "other", "others", "rest")
         alike = alike and (texts[at] != "with" or texts[at + 2] in ("other", "others"))
         if alike and not any(word.is_finite for word in words[at:]):
             return words[: at - (texts[at - 1] in ("same", ",", "just"))]
@@ -161,7 +210,7 @@ def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     at = next((k for k in range(2, len(words) - 3) if words[k].text == "for"), 0)
     if words[0].text != "it" or not at or not {"would", "should", "is"} & {word.text for word in words[1:at]}:
         return words
-    end = _end_of_place(words, end_of_noun_group(words, at + 1))
+    end = end_of_place(words, end_of_noun_group(words, at + 1))
     if end >= len(words) - 1 or words[end].tag != "to":
         return words
     should = replace(words[end], text="should", raw="should", tag="modal")
@@ -174,7 +223,7 @@ _BETTER: Final = frozenset("better nicer use useful good well best lovely nice g
 def _as_moved(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``the lamp should go by the sofa`` for ``by the sofa the lamp would be of use``, ``is needed by ...``."""
     verb = next((k for k in range(1, len(words)) if words[k].tag in ("modal", "be")), 0)
-    start = _end_of_place(words, 0)
+    start = end_of_place(words, 0)
     subject_end = end_of_noun_group(words, start)
     definite = (
         start < len(words)
@@ -200,16 +249,6 @@ def _as_moved(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
 
 
 _NEW: Final = frozenset("a an another some any no".split())
-
-
-def _end_of_place(words: Sequence[TaggedWord], at: int) -> int:
-    """Return the end of the place that begins at a word; the word where none does."""
-    while at < len(words) and words[at].tag == "preposition":
-        end = end_of_noun_group(words, at + 1)
-        if end == at + 1:
-            return at
-        at = end + (end < len(words) and words[end].text == ",")
-    return at
 
 
 _DOING: Final = frozenset("do suffice help sort fix solve improve".split())
@@ -332,6 +371,7 @@ def _without_relatives(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagged
 
 
 _LOOKING: Final = frozenset("face faces look looks point points".split())
+_SEATS: Final = ("chair", "sofa", "stool", "bench", "seat", "couch", "recliner", "loveseat", "settee")
 
 
 def _as_turned(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
@@ -341,7 +381,8 @@ def _as_turned(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
         return words
     looks = next((k for k in range(so + 1, len(words) - 1) if words[k].text in _LOOKING), 0)
     subject = [word.text for word in words[so + 1 : looks] if word.text not in ("that", "can", "should", "will")]
-    if not looks or subject not in (["it"], ["they"], ["its", "front"]) or words[-1].text in ("way", "direction"):
+    turned = subject in (["it"], ["they"], ["its", "front"]) or _sits_there(subject, words[1:so])
+    if not looks or not turned or words[-1].text in ("way", "direction"):
         return words
     goal = looks + 1
     while goal < len(words) and (words[goal].tag in ("preposition", "to", "adverb")):
@@ -349,6 +390,15 @@ def _as_turned(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     end = so - (words[so - 1].text in ("around", "round", "about", ","))
     to = replace(words[so], text="to", raw="to", tag="to")
     return [*words[:end], to, *words[goal:]] if goal < len(words) else words
+
+
+def _sits_there(subject: Sequence[str], turned: Sequence[TaggedWord]) -> bool:
+    """Whether a subject is who sits on the seat that turns, and so looks where it does: ``who sits in it``, ``I``."""
+    seat = any(singular(word.text).endswith(_SEATS) for word in turned)
+    alone = len(subject) == 1 and subject[0] in ("you", "i", "we", "one", "she", "he", "people")
+    there = subject[-1:] in (["it"], ["there"], ["in"], ["on"])
+    sits = len(subject) > 1 and bool({"sits", "sitting", "sit"} & {*subject}) and there
+    return seat and (alone or sits)
 
 
 def _without_purpose(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
@@ -386,7 +436,7 @@ def _with_plain_verb(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
     if particle == "in" and words[end + 1].tag == "preposition":
         words, particle = [*words[:end], *words[end + 1 :]], ""
     deed = BY_WORDS.get((known,))
-    goal = _goal_from(words, end, _GOALS if deed == "add" else _WAYS)
+    goal = _goal_from(words, end, _GOALS if deed == "add" else WAYS)
     carried = deed in ("move", "add", "bring", "take")
     wall = next(
         (k for k in range(end, len(words) - 2) if words[k].text in ("off", "from") and _is_wall(words, k + 2)), 0

@@ -5,6 +5,7 @@ from itertools import pairwise
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.nouns import MATERIALS
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.word_sets import PEOPLE
 from mansion_editing.instructions.phrases.words import PERSONS
@@ -12,6 +13,7 @@ from mansion_editing.instructions.syntax.clauses import Clause
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
 from mansion_editing.instructions.syntax.verb_forms import verb_forms
+from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import singular
 from mansion_language.numbers import ORDINALS
 
@@ -49,6 +51,7 @@ _MEANT_AGAIN: Final = frozenset(
     "content one ones door window wall".split()
 )
 """Words of subjects that mean things without their name."""
+_SWITCHED: Final = frozenset("on off open closed shut lit".split())
 _FINE: Final = frozenset("right correct fine ok okay alright good".split())
 _WHOLES_OF: Final = frozenset("everything all whatever".split())
 _DENYING: Final = frozenset(["not", "no", "never"])
@@ -72,10 +75,16 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     )
     if named and (nothing or limiting or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
         return clause.form == "statement" and _tells_of_use(clause, words) and not _asks(clause, words, lexicon)
+    if texts[:2] in (["how", "many"], ["is", "there"], ["are", "there"]) and named:
+        return False
+    if clause.form == "statement" and _tells_of_number(said):
+        return True
     if (said[0].tag == "noun" and (texts[0],) in BY_WORDS) or _is_misspelt(said, lexicon):
         return False  # it may be an order: "plant ...", "opn ..."
     if clause.form == "statement" and texts[0] == "what":
         return not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
+    if clause.form == "question" and said[0].tag == "have" and len(said) > 2 and said[1].tag == "somebody":
+        return any(word.text in ("seen", "noticed", "found", "heard") for word in said)  # "has anybody seen the cat?"
     if clause.form == "question":
         idle = not (named or {*texts} & {"you", "we"} or _takes_up(said[1:]))
         return idle or (texts[-1:] == ["you"] and len(texts) <= 3)
@@ -84,17 +93,39 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
             return True
         vague = texts[0] in _MENDING and {*texts[1:]} <= _IT and len(texts) > 1
         return vague or (texts[0] in _CALLS and not named)
+    if clause.form == "dependent" and texts in (["where", "it", "belongs"], ["where", "they", "belong"]):
+        return clause.after == ","
     if clause.form == "dependent":
         return texts[0] not in _DEPENDING and not (named and texts[0] in _TIMING)
     if clause.form == "fragment":
         states = {texts[-1], *(text for text in texts if text not in ("on", "up", "down", "out"))} & _STATES
         counted = any(word.tag == "number" and word.text not in ORDINALS for word in said)
+        counted = counted or any(word.text in COLOUR_WORDS or word.text in MATERIALS for word in said)
         return not (named or {*texts} & (_LIMITING | _WHOLES) or states or counted or _takes_up(said))
+    if _is_noted_as_done(clause, words):
+        return False
     if clause.after == "but" and named and _takes_up(words[clause.subject : clause.subject + 1]):
         return False  # "but tonight it sleeps on the sofa"
     if clause.after == "so" or (texts[0] == "that" and said[0].tag != "determiner"):
         return not (named or _counts(said) or {*texts} & _LIMITING) and not _asks(clause, words, lexicon)
     return not _asks(clause, words, lexicon)
+
+
+def _tells_of_number(said: Sequence[TaggedWord]) -> bool:
+    """Whether ``one is there already``, ``that makes two more`` tells how many there are, or will be."""
+    texts = [word.text for word in said]
+    if texts[:2] in (["that", "makes"], ["which", "makes"]):
+        return said[-1].tag in ("number", "adjective", "pronoun") or texts[-1] == "more"
+    counted = said[0].tag in ("number", "pronoun") or texts[0] == "some"
+    return counted and "already" in texts and len(said) > 2 and any(word.tag == "be" for word in said[1:3])
+
+
+def _is_noted_as_done(clause: Clause, words: Sequence[TaggedWord]) -> bool:
+    """Whether notes list what shall be done as done: ``desk at the window, wardrobe added opposite``."""
+    subject, verb = words[clause.subject], words[clause.verb]
+    listed = clause.form == "statement" and clause.after in (",", ":", "and", "-")
+    done = verb.tag == "verb" and verb.form in ("past", "participle") and (verb.verb,) in BY_WORDS
+    return listed and done and subject.tag == "noun" and not is_person(words[clause.subject : clause.verb])
 
 
 def _is_misspelt(words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:
@@ -133,6 +164,8 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     if verb.tag == "modal" and any(word.tag == "number" for word in subject):
         return True
     able = {"able", "reach", "get"} & {*texts}
+    if verb.text in _OBLIGING and {*texts[1:]} & _SWITCHED and not is_person(subject):
+        return True  # whatever it is: "the pendants should be off"
     if verb.text in _OBLIGING or (verb.tag in ("be", "have") and _is_to(rest)) or texts[:2] in _NEEDING:
         return not somebody or aimed or bool(able)
     if any(word.form == "gerund" and (word.verb,) in BY_WORDS for word in rest) and main.verb == "need":
@@ -148,7 +181,11 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     coming = {*texts} & {"out", "in", "away"} and any(word.verb in ("go", "come") for word in rest)
     if coming and not is_person(subject):
         return True  # "the desk and the chair go out"
-    if main.verb in _PLACING - _RESTING and main.form in ("third", "base") and not _goes_on_doing(rest):
+    making = main.verb == "make" and "way" not in texts
+    if main.verb == "belong" and "to" in texts[1:3] and not names_something(rest, lexicon):
+        return False  # "the red car belongs to Sam"
+    placed = main.verb in _PLACING - _RESTING and main.form in ("third", "base") and not making
+    if placed and not _goes_on_doing(rest):
         return not somebody or main.verb == "keep"
     if main.verb in ("suffice", "suggest", "insist", "ask", "propose", "recommend"):
         return True
@@ -185,7 +222,8 @@ def _is_to(rest: Sequence[TaggedWord]) -> bool:
 
 
 def _measures(texts: Sequence[str]) -> bool:
-    return bool({*texts} & _MEASURING)
+    plain = [text for at, text in enumerate(texts) if not (text == "more" and at and texts[at - 1] in ("any", "no"))]
+    return bool({*plain} & _MEASURING)
 
 
 def _does_it_oneself(rest: Sequence[TaggedWord]) -> bool:
@@ -203,9 +241,10 @@ def is_person(words: Sequence[TaggedWord]) -> bool:
 
 def names_something(words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:
     """Whether words name a thing of the catalogue or a room of the building."""
-    nouns = [singular(word.text) if word.tag == "noun" and not is_person([word]) else "" for word in words]
+    nouns = [singular(word.text).removesuffix("'s").rstrip("'") if word.tag == "noun" else "" for word in words]
     spans = [tuple(nouns[at : at + count]) for count in (1, 2, 3) for at in range(len(nouns) - count + 1)]
-    spans = [span for span in spans if all(span)]
+    persons = {singular(word.text) for word in words if is_person([word])}
+    spans = [span for span in spans if all(span) and not (len(span) == 1 and span[0] in persons)]
     return any(span[0] in _SPOTS or lexicon.is_object(span) or lexicon.is_own_room(span) for span in spans)
 
 

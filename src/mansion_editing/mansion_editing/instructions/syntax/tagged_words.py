@@ -11,6 +11,7 @@ from mansion_editing.instructions.syntax.verb_forms import Form, verb_forms
 from mansion_language.colours import COLOUR_WORDS
 from mansion_language.inflection import singular
 from mansion_language.numbers import CARDINALS, ORDINALS
+from mansion_language.tokens import lower_without_accents
 
 __all__ = ["Tag", "TaggedWord", "joined", "tagged", "text_of"]
 
@@ -55,7 +56,7 @@ class TaggedWord:
 
 
 _WORD: Final = re.compile(
-    r"(?:mrs?|ms|dr|prof|st)\.(?=\s)|(?:no|nr|approx)\.(?=\s?\d)|\d+(?:[.,]\d+)?(?:st|nd|rd|th)?|[^\W\d_]+(?:[-'][^\W\d_]+)*(?:'(?!\w))?|->|=>|→|\S|\n",
+    r"(?:mrs?|ms|dr|prof|st)\.(?=\s)|(?:no|nr|approx)\.(?=\s?\d)|\d+(?:[.,]\d+)?(?:st|nd|rd|th)?(?:'s\b)?|[^\W\d_]+(?:[-'][^\W\d_]+)*(?:'(?!\w))?|->|=>|→|\"[^\"\n]{1,60}\"|\S|\n",
     re.IGNORECASE,
 )
 _BE: Final = frozenset("is are was were am be been being".split())
@@ -78,7 +79,7 @@ _PREPOSITIONS: Final = frozenset(
     "beneath opposite about per after before during until since next like except despite than via away "
     "nearest closest nearer".split()
 )
-_JOINTS: Final = frozenset("and but or so then plus nor".split())
+_JOINTS: Final = frozenset("and & but or so then plus nor".split())
 _SUBORDINATORS: Final = frozenset(
     "because since as when while if unless although though whereas once whenever until before after whether that "
     "where wherever whilst".split()
@@ -91,6 +92,7 @@ _ADVERBS: Final = frozenset(
     "barely hardly soon later kindly actually basically honestly anyway however though well else as so far yet never "
     "once twice not-so please possibly currently about".split()
 )
+_BEFORE_LIGHT: Final = frozenset("more some enough the no a any every each one single all".split())
 _BETWEEN: Final = frozenset("all both also never always just even still only often really".split())
 """Words between a pronoun and its verb."""
 _AFTER_PRONOUNS: Final = frozenset("mark preposition be adverb".split())
@@ -157,12 +159,17 @@ def text_of(words: Sequence[TaggedWord], text: str) -> str:
 
 def _by_class(match: re.Match[str]) -> TaggedWord:
     """Return a word with the part of speech that it has by itself, a noun where no class has it."""
-    text = match.group().lower()
+    text = lower_without_accents(match.group())
     return TaggedWord(text, next(_classes(text), "noun"), match.start(), match.end(), match.group())
 
 
+def _is_quoted(text: str) -> bool:
+    """Whether a word is a name between quotation marks."""
+    return len(text) > 2 and text[0] == text[-1] == '"'
+
+
 def _classes(text: str) -> Iterator[Tag]:
-    if not text[0].isalnum():
+    if not (text[0].isalnum() or _is_quoted(text)):
         yield "mark"
     if text[0].isdigit() or text in CARDINALS or text in ORDINALS:
         yield "number"
@@ -193,6 +200,11 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
         return replace(word, tag="determiner")
     if word.text in ("close", "next", "ready") and after is not None and after.tag == "to":
         return replace(word, tag="adverb")
+    if word.text in ("upstairs", "downstairs") and before is not None and before.tag == "determiner":
+        return replace(word, tag="adjective" if after is not None and after.tag in ("noun", "adjective") else "adverb")
+    if word.text == "light" and before is not None and before.text in _BEFORE_LIGHT:
+        named = after is not None and after.tag in ("noun", "adjective")
+        return word if named else replace(word, tag="noun")
     opens_phrase = after is not None and after.tag in ("noun", "adjective", "number")
     opens_phrase = opens_phrase and (after is None or after.text != "one" or word.text in _BEFORE_ONE)
     if word.tag == "determiner" and word.text in _PRONOUNS and not opens_phrase:
@@ -210,7 +222,8 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
     if word.text == "her" and not opens_phrase:
         return replace(word, tag="somebody")
     existing = after is not None and (after.tag in ("be", "modal") or after.text in ("used", "seems", "has", "have"))
-    if word.text == "there" and not existing:
+    asked = before is not None and before.tag == "be" and (at == 1 or words[at - 2].tag in ("mark", "joint"))
+    if word.text == "there" and not existing and not asked:
         return replace(word, tag="adverb")
     if word.text == "one" and word.tag == "number" and (after is None or after.tag in _AFTER_PRONOUNS):
         return replace(word, tag="pronoun") if after is None or after.text != "of" else word
@@ -253,6 +266,8 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
         several = singular(before.text) != before.text
         if "third" in kinds or ("base" in kinds and several):
             return _formed(word, forms, "third" if "third" in kinds else "base")
+    if named and "third" in kinds and before is not None and _follows_somebody(words, at) and after is not None:
+        return _formed(word, forms, "third")  # "nobody up here watches TV"
     if before is None or named:
         return None
     if "base" in kinds and words[at - 1].tag == "noun" and after is not None and after.text == "places":
@@ -270,6 +285,15 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
     if told or before.tag in ("noun", "pronoun", "somebody", "adverb", "relative", "number"):
         return _after_subject(words, at, forms, before, after)
     return None
+
+
+def _follows_somebody(words: Sequence[TaggedWord], at: int) -> bool:
+    """Whether only ``up here``, ``really`` stand between a person and a word."""
+    start = at - 1
+    while start > 0 and words[start].tag in ("adverb", "preposition") and at - start < 4:
+        start -= 1
+    opens = start == 0 or words[start - 1].tag in ("mark", "joint")
+    return opens and words[start].tag == "somebody" and start >= 0
 
 
 def _since_mark(words: Sequence[TaggedWord], at: int) -> Sequence[TaggedWord]:
