@@ -66,6 +66,7 @@ class _Households:
             if rooms is not None and not any(room.room_type.endswith("bedroom") for room in rooms):
                 rooms.insert(0, size)
         self._counts_behind()
+        self._of_rooms_within()
 
     def _of_one(self, unit: Phrase) -> None:
         """Read what follows a unit that the brief asks for."""
@@ -210,6 +211,21 @@ class _Households:
                 self.found.ends[phrase.first] = index + 1
                 reading.take(index, index + 1)
 
+    def _of_rooms_within(self) -> None:
+        """Read "every bedroom has its own shower room" of the bedrooms that each unit holds."""
+        for phrase in [p for p in self.phrases if p.head == "room" and p.determiner in ("each", "every")]:
+            units = {
+                first: next(room for room in rooms if room.room_type == phrase.room_type)
+                for first, rooms in self.found.units.items()
+                if any(room.room_type == phrase.room_type and room.first != phrase.first for room in rooms)
+            }
+            if phrase.first in self.found.inner | self.found.again or phrase.first in self.found.units or not units:
+                continue
+            rooms, _ = self.lists.after(phrase.last, always=True, guests=True)
+            for first, room in units.items():
+                self._give([first], [replace(own, count=room.count) for own in rooms])
+            self.found.again |= {phrase.first} if rooms else set()
+
     def _give(self, owners: Sequence[int], rooms: Sequence[Phrase]) -> None:
         for owner in owners:
             held = self.found.units.setdefault(owner, [])
@@ -222,6 +238,8 @@ def _alike(first: Phrase, second: Phrase) -> bool:
     """Whether "each flat" may mean units that are called otherwise."""
     if first.room_type == "team_room" or second.room_type == "team_room":
         return first.room_type == second.room_type
+    if first.room_type == second.room_type == "common_room":
+        return first.name.rpartition("_")[2] == second.name.rpartition("_")[2]
     return first.name == second.name or first.name.rpartition("_")[2] in GENERAL
 
 

@@ -8,6 +8,7 @@ from mansion_language import Token, tokenize
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.activities import activities, entrances
 from mansion_planner.brief.added_storeys import added_storeys
+from mansion_planner.brief.alternatives import chosen
 from mansion_planner.brief.children_groups import children_groups
 from mansion_planner.brief.conversions import without_conversions
 from mansion_planner.brief.corrections import corrected_numbers
@@ -16,6 +17,7 @@ from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.garages import garages
+from mansion_planner.brief.glosses import without_glosses
 from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.masters_bathroom import masters_bathroom
@@ -230,7 +232,11 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
         without_asides(
             spoken_turns(
                 shortened_nouns(
-                    without_conversions(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à")))))
+                    chosen(
+                        without_conversions(
+                            without_glosses(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à")))))
+                        )
+                    )
                 )
             )
         )

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field, replace
 
 from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.groups import groups_of_rooms, named_again
 from mansion_planner.brief.phrase import Phrase, finished_phrase
 from mansion_planner.brief.reading import Reading
 
@@ -144,6 +145,7 @@ class _Units:
     def __init__(self, reading: Reading, phrases: list[Phrase], building: int | None) -> None:
         self.reading, self.phrases, self.building = reading, phrases, building
         self.found = Households()
+        self.groups: set[int] = set()
         kinds = reading.facts.building
         self.one_home = bool(kinds) and kinds[0][0] in _ONE_HOME
         self.at_home = not kinds or reading.knowledge.buildings[kinds[0][0]].family == "home"
@@ -152,6 +154,7 @@ class _Units:
         """Find the nouns, then the units among them."""
         self._leave_out()
         self._further_nouns()
+        self._groups()
         self._units()
 
     def _leave_out(self) -> None:
@@ -203,6 +206,29 @@ class _Units:
         record = None if own is None else self.reading.knowledge.buildings.get(own.building)
         return record is not None and record.family == "home"
 
+    def _groups(self) -> None:
+        """Add the groups of rooms that each hold the same."""
+        if self._is_home() or self.one_home:
+            return
+        for group in groups_of_rooms(self.reading, self.phrases):
+            for phrase in group:
+                put_phrase(self.reading, self.phrases, phrase)
+                self.groups.add(phrase.first)
+                self.found.copies |= {phrase.first: group[0].first} if phrase is not group[0] else {}
+            self._spoken_of(group[0])
+            for name in named_again(self.reading, group):
+                put_phrase(self.reading, self.phrases, name)
+
+    def _spoken_of(self, group: Phrase) -> None:
+        """Add the phrases that speak of each of some groups: "every household has a kitchen"."""
+        reading = self.reading
+        noun = group.name.rpartition("_")[2]
+        for index in range(group.last, len(reading.tokens) - 1):
+            if reading.word(index) in ALL and reading.word(index + 1) == noun:
+                again = finished_phrase(reading, "room", index + 1, index + 2, room=group.room_type, known=False)
+                put_phrase(reading, self.phrases, again)
+                self.groups.add(again.first)
+
     def _units(self) -> None:
         for phrase in list(self.phrases):
             if not self._is_unit(phrase):
@@ -215,6 +241,8 @@ class _Units:
     def _is_unit(self, phrase: Phrase) -> bool:
         if phrase.first == self.building or phrase.head not in ("room", "building") or not phrase.room_type:
             return False
+        if phrase.first in self.groups:
+            return True
         several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
         if phrase.room_type in LODGINGS or phrase.room_type in ("team_room", "common_room"):
             own = phrase.head == "room" and (phrase.plural or phrase.determiner in ALL)
@@ -248,6 +276,8 @@ class _Units:
     def _plain(self, phrase: Phrase) -> Phrase:
         """Return a unit by its noun alone; the number of bedrooms in it is kept apart."""
         reading = self.reading
+        if phrase.first in self.groups:
+            return phrase
         alone = phrase.first == phrase.begin and reading.kind(phrase.begin - 1) == "number"
         for index in range(phrase.first - alone, phrase.noun_end - 1):
             counting = index == phrase.first and reading.tokens[index + 1].spaced
