@@ -115,6 +115,8 @@ class NamedStoreys:
             return True
         if reading.words(index + 1, index + 3) == ("only", ":") and reading.starts(index):
             return True
+        if lead == "," and following == ":":
+            return True  # "in a Nordic style, ground: a kitchen"
         led = lead in ("the", "on", "at") or reading.starts(index) or (lead == "in" and reading.starts(index - 1))
         return led and following in CLOSERS | _AFTER_GROUND
 

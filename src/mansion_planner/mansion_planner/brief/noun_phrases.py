@@ -331,7 +331,9 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
         if last == "studio" and _names_use(reading, begin, end):
             return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
         if last == "suite" and not mention.building and _names_use(reading, begin, end):
-            kind = told_room_type(name_of(reading, begin, end), reading.knowledge) or HEAD_TYPES[last]
+            slept = _mention_ending(reading, begin, end - 1)
+            kind = slept.room if slept is not None and slept.room in _SLEPT_IN else ""
+            kind = kind or told_room_type(name_of(reading, begin, end), reading.knowledge) or HEAD_TYPES[last]
             return finished_phrase(reading, "room", begin, end, room=kind, known=False)
         if last == "hall" and name_of(reading, begin, end) != "hall":
             room = _hall_of(reading, begin, end)
@@ -339,6 +341,8 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
     return finished_phrase(reading, head, begin, end, room=room, building=mention.building, mention=mention)
 
 
+_SLEPT_IN = frozenset({"bedroom", "guest_room", "childrens_room"})
+"""Types of rooms of which a suite is one, with what goes with it."""
 _PRACTICES = frozenset({"dentist"})
 """Those whose practices are called after them: a mall with two dentists."""
 

@@ -27,7 +27,7 @@ __all__ = [
 
 Head: TypeAlias = Literal["room", "building", "stair", "elevator", "object", "people", "unknown"]
 
-BARE_BUILDINGS = frozenset({"building", "complex"})
+BARE_BUILDINGS = frozenset({"building", "complex", "place"})
 """Names of a building that say nothing of its use: its rooms do."""
 
 FUNCTION_WORDS = frozenset(
@@ -242,7 +242,7 @@ _DETERMINERS = frozenset(
 )
 _BEFORE_THEM_ANOTHER = frozenset({"own", "more", "few"})
 """Determiners that another one may stand before: "its own", "two more", "a few"."""
-_BETWEEN = frozenset({"other", "such", "very", "same", "separate", "open"})
+_BETWEEN = frozenset({"other", "such", "very", "same", "separate", "open", "identical", "equal", "similar"})
 """Words between a count or a determiner and its noun."""
 _BEFORE_COUNTS = frozenset({"the", "these", "those", "both", "all", "our", "each", "every"})
 """Determiners of a phrase that has a count: "the four bedrooms"."""
@@ -370,9 +370,24 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
         return end + 2, int(value)
     if word in ("-", "–", ":") and whole and reading.plural(end - 1) and _ends_entry(reading, end + 2):
         return end + 2, int(value)
+    several = reading.plural(end - 1) and end - 1 not in reading.taken
+    if word == "," and whole and several and _is_closed(reading, end + 2) and not _counts_places(reading, end - 1):
+        return end + 2, int(value)  # "judges' chambers, five, and a library"
     if word in (",", ":") and whole and reading.word(end + 2) in ("no", "nos", "number", "off", "pcs", "piece"):
         return end + 3 + (reading.word(end + 3) == "."), int(value)
     return end, None
+
+
+def _is_closed(reading: Reading, index: int) -> bool:
+    """Whether an entry of a list ends at a token, and no range of numbers goes on."""
+    return reading.breaks(index) or reading.word(index) in (")", ";") or (
+        reading.word(index) == "," and reading.kind(index + 1) != "number"
+    )
+
+
+def _counts_places(reading: Reading, index: int) -> bool:
+    """Whether a noun is of storeys or of people, which a number behind it does not count as rooms."""
+    return reading.word(index) in FLOOR_WORDS | PEOPLE
 
 
 _LEAST_AREA = 6

@@ -6,6 +6,7 @@ from functools import cached_property
 
 from mansion_knowledge.common_words import common_words
 from mansion_language import singular
+from mansion_planner.brief.idle_words import is_idle_word
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase, finished_phrase, name_of
 from mansion_planner.brief.qualifiers import taken_for_its_head
@@ -440,6 +441,9 @@ class _Entry:
             return True  # "an apartment of Paris with 62 m2"
         if word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS:
             return True
+        single = self.end - self.begin == 1 or self.reading.word(self.begin) == "some"
+        if single and (self._counted or self._plural) and is_idle_word(word):
+            return True  # "three generations", "some stay six months"
         if word in _WHOLES and PLAIN.issuperset(self.reading.words(self.begin, self.end - 1)):
             return True  # "a café in a building of 170 m2"
         if word in _STRENGTHS and self.end - self.begin == 1:
@@ -468,7 +472,7 @@ _NO_ROOMS = frozenset(
     rent own occupy
     other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m
     metre meter roof region order vicinity neighbourhood neighborhood altogether totality
-    skylight rooflight dormer chimney h
+    skylight rooflight dormer chimney h haha lol generation side symbol abt bit month
     st ea adj approx spectacular stunning ground first thought think guess reckon say site facility facilities
     opportunity potential above below underneath beneath overhead alongside nearby opposite adjacent outdoors indoors
     """.split()

@@ -85,8 +85,8 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, head="room", building="", room_type=studio, known=False)
     if phrase.name == "cell" and phrase.room_type == "holding_cell" and family in _DWELT_IN | {"worship", "culture"}:
         return replace(phrase, room_type="bedroom", known=False)  # a monk's
-    if family == "home" and phrase.name in _SLEPT_IN:
-        return replace(phrase, room_type=_SLEPT_IN[phrase.name], known=True)
+    if family == "home" and phrase.name in _AT_HOME:
+        return replace(phrase, head="room", building="", room_type=_AT_HOME[phrase.name], known=True)
     if family == "home" and phrase.name == "library" and phrase.room_type == "library":
         return replace(phrase, head="room", building="", room_type="library_room", known=True)
     if family == "home" and phrase.room_type == HEAD_TYPES["chamber"] and phrase.name == "chamber":
@@ -122,8 +122,11 @@ _DWELT_IN = frozenset({"home", "lodging"})
 _WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
 """Families of buildings whose studios are to work in."""
 
-_SLEPT_IN = {"private_room": "bedroom", "parent_room": "master_bedroom"}
-"""Rooms of a home that are to sleep in, and that other buildings have for something else."""
+_AT_HOME = {
+    "private_room": "bedroom", "parent_room": "master_bedroom", "diner": "dining_room", "tech_room": "mechanical_room",
+    "store": "storage",
+}  # fmt: skip
+"""Rooms of a home that other buildings have for something else, by their names."""
 
 _INSTRUMENTS = frozenset({"education", "health", "office", ""})
 """Families of buildings whose bays hold instruments and not cars."""

@@ -16,6 +16,12 @@ _OFFICES = frozenset("office headquarter headquarters workspace workstation cowo
 _ENDS = frozenset({"", ",", ".", ";", ":", ")", "\n", "with", "and", "or", "per", "on", "in", "each", "plus"})
 
 
+_WRITTEN_OUT = {"abt": "about"}
+"""Words that people write in short."""
+_SUM_MARKS = frozenset({"=", "+"})
+_OF_EACH = frozenset({"each", "every", "a", "an", "one", "per"})
+
+
 def shortened_nouns(tokens: list[Token]) -> list[Token]:
     """Return the tokens with rooms where "doubles" are counted, offices where "open-plan" ends, and "w/" as "with"."""
     texts = {token.text for token in tokens}
@@ -24,7 +30,19 @@ def shortened_nouns(tokens: list[Token]) -> list[Token]:
         before, after = _text(tokens, index - 1), _text(tokens, index + 1)
         if token.text == "/" and before == "with" and not token.spaced:
             continue
-        result.append(token)
+        result.append(replace(token, text=_WRITTEN_OUT.get(token.text, token.text)))
+        if token.text in _SUM_MARKS and _is_sum(tokens, index):
+            result[-1] = Token("word", "has", token.start, token.end) if token.text == "=" else replace(token, text=",")
+            continue
+        if _is_bedroom(tokens, index):
+            result[-1] = replace(token, text="bedroom")
+            continue
+        if _is_master(tokens, index, texts):
+            result.append(Token("word", "bedroom", token.end, token.end))
+            continue
+        if _is_changing(tokens, index):
+            result.append(Token("word", "room", token.end, token.end, plural=True))
+            continue
         if after not in _ENDS:
             continue
         counted = index > 0 and tokens[index - 1].kind == "number"
@@ -38,3 +56,52 @@ def shortened_nouns(tokens: list[Token]) -> list[Token]:
 
 def _text(tokens: list[Token], index: int) -> str:
     return tokens[index].text if 0 <= index < len(tokens) else ""
+
+
+def _is_sum(tokens: list[Token], index: int) -> bool:
+    """Whether a mark tells what each of several holds: "every lodge = bedroom + shower + kitchenette"."""
+    first = index
+    while first > 0 and tokens[first - 1].text not in (".", ";", "\n", ":", ",", "!"):
+        first -= 1
+    equal = next((at for at in range(first, index + 1) if tokens[at].text == "="), 0)
+    return equal - first in (2, 3) and tokens[first].text in _OF_EACH and tokens[equal - 1].kind == "word"
+
+
+_BATHS = frozenset({"bath", "bathroom", "ba", "ensuite", "shower", "wc"})
+_BEFORE_ROOMS = frozenset({"", ":", ",", "upstairs", "upstair", "downstairs", "downstair", "up", ".", "\n", ";", "-", "("})
+_SENTENCE = 24
+"""Tokens in which the bathroom is looked for that is listed beside "3 beds"."""
+
+
+def _is_bedroom(tokens: list[Token], index: int) -> bool:
+    """Whether a bed stands for a bedroom, as in adverts: "3 bed, 1 bath", "an ensuite to the main bed"."""
+    if tokens[index].text != "bed" or index == 0:
+        return False
+    if tokens[index - 1].text in ("main", "master"):
+        return _text(tokens, index + 1) in _ENDS
+    if tokens[index - 1].kind != "number" or _text(tokens, index - 2) not in _BEFORE_ROOMS:
+        return False
+    at = index + 1
+    while at < len(tokens) and at - index < _SENTENCE and tokens[at].text not in (".", ";", "\n"):
+        listed = tokens[at - 1].kind == "number" or tokens[at - 1].text in ("a", "one", "family", ",", "and", "+", "&")
+        if tokens[at].text in _BATHS and listed:
+            return _text(tokens, index + 1) in (",", "(", "and", "&", "+", "/")
+        if tokens[at].text in ("with", "room", "each", "per"):
+            return False
+        at += 1
+    return False
+
+
+def _is_master(tokens: list[Token], index: int, texts: set[str]) -> bool:
+    """Whether a master stands for the main bedroom of a home: "first floor: master with ensuite"."""
+    bedrooms = not {"bedroom", "ensuite", "bed", "br"}.isdisjoint(texts)
+    listed = _text(tokens, index - 1) in _BEFORE_ROOMS | {"and", "a", "the", "one", "large", "big"}
+    followed = _text(tokens, index + 1) in (",", "with", "and", "+", ".", "w", "ensuite", ";", "")
+    return tokens[index].text == "master" and bedrooms and listed and followed
+
+
+def _is_changing(tokens: list[Token], index: int) -> bool:
+    """Whether changing rooms are named by their sexes alone: "a store, changing m/f"."""
+    sexes = [token.text for token in tokens[index + 1 : index + 4]]
+    parted = sexes in (["m", "/", "f"], ["f", "/", "m"], ["m", "&", "f"], ["m", "and", "f"], ["m", "/", "w"])
+    return tokens[index].text in ("changing", "locker") and parted and not tokens[index].plural

@@ -65,6 +65,10 @@ class _Count:
         return self.value + (not {"upper", "additional", "more"}.isdisjoint(self.adjectives))
 
 
+_LEVEL = frozenset((ground, noun) for ground in ("ground", "street") for noun in ("level", "floor"))
+"""What follows "all" where everything is on one storey: "all ground level"."""
+
+
 class StoreyCounts:
     """Records numbers of storeys as facts; adds to `places` the storeys that a number names ("two floors above it")."""
 
@@ -181,6 +185,9 @@ class StoreyCounts:
             and reading.word(index + 2) in ("only", "alone")
             and (reading.word(index + 3) in CLOSERS - {":"} or reading.word(index + 3) in ("and", "with"))
         ):
+            self._state(1, index, index + 3)
+            return index + 3
+        if word == "all" and reading.words(index + 1, index + 3) in _LEVEL and reading.word(index + 3) in CLOSERS:
             self._state(1, index, index + 3)
             return index + 3
         if word not in ("everything", "all", "wholly", "entirely") or reading.word(index + 1) not in ("on", "at", "in"):
