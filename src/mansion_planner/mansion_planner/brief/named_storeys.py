@@ -3,7 +3,7 @@
 from mansion_planner.brief.cellars import keeps_goods
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.storey_counts import CLOSERS, UPSTAIRS
+from mansion_planner.brief.storey_counts import CLOSERS, HOLDING_ROOMS, UPSTAIRS
 
 __all__ = ["COPULAS", "TOPS", "NamedStoreys"]
 
@@ -175,10 +175,26 @@ class NamedStoreys:
             return [FloorRef("top")], index + 3
         ours = word == "loft" and reading.word(index - 1) in ("our", "my")  # a flat
         attic = word in ("attic", "loft") and (following == ":" or self._is_place(index)) and not ours
+        attic = attic or self._is_attic_storey(index)
         highest = word in ("uppermost", "topmost", "highest") and self._names_storey(index)
         if attic or highest or self._is_at_the_top(index):
             return [FloorRef("top")], index + 1
         return None
+
+    def _is_attic_storey(self, index: int) -> bool:
+        """Whether an attic is spoken of that was counted as a storey before: "the attic holds three rooms"."""
+        reading = self.reading
+        if reading.word(index) not in ("attic", "loft") or reading.word(index - 1) != "the":
+            return False
+        counted = any(
+            (token.text == reading.word(index) and at in reading.taken)
+            or (token.text in FLOOR_WORDS and reading.word(index) in reading.text[token.start : token.end].lower())
+            for at, token in enumerate(reading.tokens[:index])
+        )
+        opens = reading.starts(index - 1) or reading.word(index - 2) in (";", ",", "and")
+        return counted and (
+            (opens and reading.word(index + 1) in HOLDING_ROOMS) or reading.word(index - 2) in ("in", "on")
+        )
 
     def _is_roof(self, index: int) -> bool:
         """Whether a roof stands for the top storey: "under the roof", "on the rooftop"."""

@@ -22,6 +22,7 @@ from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.masters_bathroom import masters_bathroom
 from mansion_planner.brief.paired_nouns import paired_nouns
+from mansion_planner.brief.recalled_wishes import without_recalled_wishes
 from mansion_planner.brief.relative_areas import relative_areas
 from mansion_planner.brief.rooms_by_number import rooms_by_number
 from mansion_planner.brief.rooms_by_person import rooms_by_person
@@ -234,7 +235,11 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
                 shortened_nouns(
                     chosen(
                         without_conversions(
-                            without_glosses(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à")))))
+                            without_recalled_wishes(
+                                without_glosses(
+                                    without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à"))))
+                                )
+                            )
                         )
                     )
                 )

@@ -91,13 +91,17 @@ def _without_withdrawn(reading: Reading, phrases: Sequence[Phrase]) -> list[Phra
     return [phrase for number, phrase in enumerate(phrases) if number not in dropped]
 
 
+_AFTER_ALL = frozenset({("sorry", ","), ("well", ","), ("wait", ","), ("no", "wait"), ("oh", "wait"), ("no", ",")})
+"""What stands before "no garage" where a garage was wanted before."""
+
+
 def _is_dropped_after_all(reading: Reading, phrase: Phrase) -> bool:
     """Whether "no sauna after all", "no sauna any more" or "sorry, no sauna" takes back what stands before."""
     if reading.word(phrase.begin - 1) != "no":
         return False
     after = reading.words(phrase.last, phrase.last + 2) in (("after", "all"), ("any", "more"))
     lead = reading.words(phrase.begin - 3, phrase.begin - 1)
-    return after or reading.word(phrase.last) == "anymore" or lead in (("sorry", ","), ("well", ","), ("wait", ","))
+    return after or reading.word(phrase.last) == "anymore" or lead in _AFTER_ALL
 
 
 def _take_withdrawn_words(reading: Reading, phrases: Sequence[Phrase]) -> None:

@@ -85,7 +85,7 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, head="room", building="", room_type=studio, known=False)
     if phrase.name == "cell" and phrase.room_type == "holding_cell" and family in _DWELT_IN | {"worship", "culture"}:
         return replace(phrase, room_type="bedroom", known=False)  # a monk's
-    if family == "home" and phrase.name in _AT_HOME:
+    if (family == "home" and phrase.name in _AT_HOME) or (not family and phrase.name == "diner"):
         return replace(phrase, head="room", building="", room_type=_AT_HOME[phrase.name], known=True)
     if family == "home" and phrase.name == "library" and phrase.room_type == "library":
         return replace(phrase, head="room", building="", room_type="library_room", known=True)

@@ -30,9 +30,11 @@ def shortened_nouns(tokens: list[Token]) -> list[Token]:
         before, after = _text(tokens, index - 1), _text(tokens, index + 1)
         if token.text == "/" and before == "with" and not token.spaced:
             continue
+        if _is_of_suite(tokens, index):
+            continue
         result.append(replace(token, text=_WRITTEN_OUT.get(token.text, token.text)))
         if token.text in _SUM_MARKS and _is_sum(tokens, index):
-            result[-1] = Token("word", "has", token.start, token.end) if token.text == "=" else replace(token, text=",")
+            result[-1] = Token("word", "has", token.start, token.end) if token.text == "=" else replace(token, kind="word", text="and")
             continue
         if _is_bedroom(tokens, index):
             result[-1] = replace(token, text="bedroom")
@@ -67,6 +69,14 @@ def _is_sum(tokens: list[Token], index: int) -> bool:
     return equal - first in (2, 3) and tokens[first].text in _OF_EACH and tokens[equal - 1].kind == "word"
 
 
+def _is_of_suite(tokens: list[Token], index: int) -> bool:
+    """Whether a bedroom, or the mark after it, is what "each suite = bedroom + bathroom" opens with: it is the suite."""
+    at = index - (tokens[index].text in ("+", ","))
+    bedroom = at >= 2 and tokens[at].text == "bedroom" and tokens[at - 1].text in ("=", "has", "with", "of")
+    suites = any(token.text == "bedroom" and _text(tokens, k + 1) == "suite" for k, token in enumerate(tokens[:at]))
+    return bedroom and tokens[at - 2].text == "suite" and _text(tokens, at + 1) in ("+", ",") and suites
+
+
 _BATHS = frozenset({"bath", "bathroom", "ba", "ensuite", "shower", "wc"})
 _BEFORE_ROOMS = frozenset({"", ":", ",", "upstairs", "upstair", "downstairs", "downstair", "up", ".", "\n", ";", "-", "("})
 _SENTENCE = 24
@@ -79,7 +89,7 @@ def _is_bedroom(tokens: list[Token], index: int) -> bool:
         return False
     if tokens[index - 1].text in ("main", "master"):
         return _text(tokens, index + 1) in _ENDS
-    if tokens[index - 1].kind != "number" or _text(tokens, index - 2) not in _BEFORE_ROOMS:
+    if tokens[index - 1].kind != "number" or tokens[index - 1].soft or _text(tokens, index - 2) not in _BEFORE_ROOMS:
         return False
     at = index + 1
     while at < len(tokens) and at - index < _SENTENCE and tokens[at].text not in (".", ";", "\n"):
@@ -95,7 +105,7 @@ def _is_bedroom(tokens: list[Token], index: int) -> bool:
 def _is_master(tokens: list[Token], index: int, texts: set[str]) -> bool:
     """Whether a master stands for the main bedroom of a home: "first floor: master with ensuite"."""
     bedrooms = not {"bedroom", "ensuite", "bed", "br"}.isdisjoint(texts)
-    listed = _text(tokens, index - 1) in _BEFORE_ROOMS | {"and", "a", "the", "one", "large", "big"}
+    listed = _text(tokens, index - 1) in _BEFORE_ROOMS | {"and", "a", "one", "large", "big"}
     followed = _text(tokens, index + 1) in (",", "with", "and", "+", ".", "w", "ensuite", ";", "")
     return tokens[index].text == "master" and bedrooms and listed and followed
 

@@ -14,6 +14,7 @@ __all__ = [
     "CLOSERS",
     "DEFINITE",
     "HOLDING",
+    "HOLDING_ROOMS",
     "STOREY_ADJECTIVES",
     "UPSTAIRS",
     "StoreyCounts",
@@ -47,6 +48,10 @@ _WITH_BASEMENT = (
     *((joint, number) for joint in ("and", "plus", ",") for number in ("a", "one")),
     ("with", "cellar"), ("with", "basement"),
 )  # fmt: skip
+HOLDING_ROOMS = frozenset(
+    {":", "is", "hold", "holds", "has", "contain", "contains", "become", "becomes", "get", "gets", "house", "houses"}
+)
+"""What follows an attic that is a storey with rooms."""
 CLOSERS = frozenset({"", ".", ",", ";", ":", "\n", ")", "!", "?", "=", "-"})
 
 
@@ -446,10 +451,12 @@ class StoreyCounts:
             return 0
         texts = [token.text for token in reading.tokens]
         headed = any(
-            (word == "top" and after == "floor") or (word in ("attic", "loft") and after == ":")
+            (word == "top" and after == "floor") or (word in ("attic", "loft") and after in HOLDING_ROOMS)
             for word, after in zip(texts[end + 1 :], texts[end + 2 :], strict=False)
         )
-        return end + 1 if headed else 0
+        storey = reading.word(end + 1) in FLOOR_WORDS
+        within = any(tuple(texts[at : at + 3]) == ("in", "the", texts[end]) for at in range(end + 1, len(texts)))
+        return end + 1 + storey if headed or storey or within else 0
 
     def _storey_below(self) -> int:
         """Return the storey that "above it" counts from: the last one named, else the first; 0 if not numbered."""

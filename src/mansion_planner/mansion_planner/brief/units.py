@@ -243,6 +243,8 @@ class _Units:
             return False
         if phrase.first in self.groups:
             return True
+        if phrase.name == "suite" and any(p.name.endswith("_suite") and p.room_type == "bedroom" for p in self.phrases):
+            return False  # "six bedroom suites; each suite has a dressing room"
         several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
         if phrase.room_type in LODGINGS or phrase.room_type in ("team_room", "common_room"):
             own = phrase.head == "room" and (phrase.plural or phrase.determiner in ALL)
