@@ -41,6 +41,8 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
         )
         if apiece and _count_apiece(reading, phrases, index):
             continue
+        if _counts_on_each(reading, phrases, index):
+            continue
         of_them = reading.words(index + 1, index + 3) == ("of", "them") and not tells_some(reading, index)
         corrects = not {"sorry", "mean", "correction"}.isdisjoint(reading.words(index - 3, index))
         if not of_them and not corrects:
@@ -70,6 +72,23 @@ def _counts_list(reading: Reading, phrases: list[Phrase], index: int) -> bool:
     return True
 
 
+def _counts_on_each(reading: Reading, phrases: list[Phrase], index: int) -> bool:
+    """Read "WC on each floor, at least two" as so many on each; whether it was so."""
+    least = reading.words(index - 3, index) == (",", "at", "least")
+    closed = reading.breaks(index + 1) or reading.word(index + 1) in (",", ")")
+    before = [n for n, p in enumerate(phrases) if p.last <= index and p.head == "room"]
+    if not ((least or reading.word(index - 1) == ",") and closed and before):
+        return False
+    room = phrases[before[-1]]
+    between = reading.words(room.last, index)
+    every = {"each", "every", "per"} & set(between) and FLOOR_WORDS & set(between)
+    if room.counted or not every or len(between) > _NEAR or reading.sentence[room.first] != reading.sentence[index]:
+        return False
+    phrases[before[-1]] = replace(room, count=int(reading.value(index)), counted=True)
+    reading.take(index - 2 * least, index + 1)
+    return True
+
+
 _NEAR = 6
 """Tokens between rooms and their number in a bracket behind their storey, at most."""
 
@@ -85,6 +104,9 @@ def read_counts_by_room(reading: Reading, phrases: list[Phrase]) -> None:
         if single and beside and len(counted) == 1 and earlier:
             phrases[earlier[-1]] = replace(phrases[earlier[-1]], count=counted[0].count, counted=True)
             phrases[number] = replace(phrase, counted=False, determiner="each")
+            continue
+        if single and beside and len(counted) == 1 and phrase.determiner in ("a", "an", "one") and of_each.head == "room":
+            phrases[number] = replace(phrase, count=counted[0].count, counted=True)
             continue
         if not single or of_each.head != "room" or lead not in (("for", "each"), ("for", "every"), ("per",)):
             continue

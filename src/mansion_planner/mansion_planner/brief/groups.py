@@ -12,7 +12,7 @@ from mansion_planner.brief.room_users import one_of
 
 __all__ = ["groups_of_rooms", "named_again"]
 
-_NOUNS = frozenset({"household", "group", "department", "practice", "section", "wing", "pod", "team", "unit", "family"})
+_NOUNS = frozenset({"household", "group", "department", "practice", "section", "wing", "pod", "team", "unit", "family", "station"})
 _SHARING = frozenset({"each", "every", "per"})
 _PARTS = frozenset({"with", "has", "have", "contain", "comprise", "get", ":", "consist", "include", "of", "having"})
 """Words that lead from a group to its rooms."""
@@ -26,12 +26,11 @@ def groups_of_rooms(reading: Reading, phrases: list[Phrase]) -> list[list[Phrase
     for index in range(1, len(reading.tokens)):
         if reading.word(index) not in _NOUNS or not reading.plural(index):
             continue
-        count = int(reading.value(index - 1)) if reading.kind(index - 1) == "number" else 0
-        if not 2 <= count <= 40 or _is_part_of_another(phrases, index) or not _holds_rooms(reading, index):
+        begin = index - (reading.kind(index - 1) == "word" and reading.kind(index - 2) == "number")
+        count = int(reading.value(begin - 1)) if reading.kind(begin - 1) == "number" else 0
+        if not 2 <= count <= 40 or _is_part_of_another(phrases, index) or not _holds_rooms(reading, begin, index):
             continue
-        if reading.word(index - 2) in ("in", "into", "for"):
-            continue  # "desks in three groups", "a house for two families"
-        found.append(_named_apart(reading, index, count))
+        found.append(_named_apart(reading, begin, index, count))
     return found
 
 
@@ -40,8 +39,8 @@ def _is_part_of_another(phrases: list[Phrase], index: int) -> bool:
     return any(p.begin <= index < p.noun_end and p.head == "room" and p.known and p.room_type for p in phrases)
 
 
-def _holds_rooms(reading: Reading, index: int) -> bool:
-    """Whether the brief says what each of the groups holds."""
+def _holds_rooms(reading: Reading, begin: int, index: int) -> bool:
+    """Whether the brief says what each of the groups holds; "three groups of twelve" hold people."""
     noun = reading.word(index)
     again = any(
         reading.word(at) in _SHARING and reading.word(at + 1) == noun and not reading.plural(at + 1)
@@ -50,7 +49,7 @@ def _holds_rooms(reading: Reading, index: int) -> bool:
     near = range(index + 1, min(index + _REACH, len(reading.tokens)))
     same = [at for at in near if reading.sentence[at] == reading.sentence[index]]
     shared = any(reading.word(at) in ("each", "every") and _leads_on(reading, index, at) for at in same)
-    return again or shared
+    return again or (shared and reading.word(begin - 2) not in ("in", "into", "for"))
 
 
 def _leads_on(reading: Reading, index: int, each: int) -> bool:
@@ -60,11 +59,11 @@ def _leads_on(reading: Reading, index: int, each: int) -> bool:
     return any(reading.word(at) in ("with", "of") for at in range(index + 1, each))
 
 
-def _named_apart(reading: Reading, index: int, count: int) -> list[Phrase]:
+def _named_apart(reading: Reading, begin: int, index: int, count: int) -> list[Phrase]:
     """Return one phrase for the groups, or one for each of their names: "called Rose, Oak and Lake"."""
     taken = set(reading.taken)
-    reading.taken.difference_update(range(index - 1, index + 1))
-    whole = finished_phrase(reading, "room", index, index + 1, room="common_room", known=False)
+    reading.taken.difference_update(range(begin - 1, index + 1))
+    whole = finished_phrase(reading, "room", begin, index + 1, room="common_room", known=False)
     reading.taken |= taken
     lead = index + 1 + (reading.word(index + 1) in ("are", ","))
     called = reading.word(lead) in ("called", "named") or reading.word(lead) in ("(", ":")

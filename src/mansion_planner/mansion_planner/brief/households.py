@@ -15,7 +15,7 @@ from mansion_planner.brief.facts import FloorRef, RoomFact
 from mansion_planner.brief.phrase import Phrase, is_whole_count
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.unit_rooms import UnitRooms
-from mansion_planner.brief.units import ALL, GENERAL, LODGINGS, Households, find_units, put_phrase
+from mansion_planner.brief.units import ALL, GENERAL, LODGINGS, TELLING, Households, find_units, put_phrase
 
 __all__ = ["read_households", "told_apart"]
 
@@ -55,7 +55,11 @@ class _Households:
             every = phrase.determiner in ALL and (phrase.determiner == "each" or not phrase.counted)
             again = phrase.plural or (phrase.determiner == "the" and not phrase.counted and self._leads_list(phrase))
             those = phrase.determiner in ("the", "these", "those") and again and self._named_before(phrase)
-            if every or those:
+            generic = phrase.determiner in ("a", "an", "one") and self.reading.word(phrase.last) in TELLING
+            again_one = self._is_spoken_of_again(phrase)
+            if again_one:
+                self._place_with_mention(phrase)
+            if every or those or again_one or (generic and self._named_before(phrase)):
                 self._of_all(phrase)
             else:
                 self._of_one(phrase)
@@ -109,6 +113,23 @@ class _Households:
     def _leads_list(self, unit: Phrase) -> bool:
         """Whether what a unit holds follows right after it: "Upstairs the flat: two bedrooms"."""
         return self.reading.word(unit.last) in (":", "has", "with", "have", "contain", "get")
+
+    def _is_spoken_of_again(self, unit: Phrase) -> bool:
+        """Whether "Flat upstairs: two bedrooms" tells what is in the flat that an earlier sentence names."""
+        bare = not (unit.counted or unit.plural) and unit.determiner in ("", "the") and unit.name in GENERAL
+        return bare and any(
+            p.first < unit.first
+            and p.name.endswith(f"_{unit.name}")
+            and self.found.units.get(p.first) == []
+            and self.reading.sentence[p.first] < self.reading.sentence[unit.first]
+            for p in self.phrases
+        )
+
+    def _place_with_mention(self, unit: Phrase) -> None:
+        """Put the flat that "Flat upstairs: ..." speaks of on that storey."""
+        place = next((place for place in self.places if place.first == unit.last), None)
+        for owner in self._owners(unit) if place is not None else []:
+            self.found.floors.setdefault(owner, place.refs if place is not None else ())
 
     def _named_before(self, unit: Phrase) -> bool:
         return any(p.first < unit.first and p.first in self.found.units and _alike(unit, p) for p in self.phrases)

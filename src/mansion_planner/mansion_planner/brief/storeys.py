@@ -75,6 +75,8 @@ def _is_apposed(reading: Reading, before: Place, place: Place) -> bool:
 def _below_the_top(reading: Reading, places: list[Place]) -> list[Place]:
     """Read one upper storey beside a top one as the one between: "EG: shop. OG: flat. DG: studio"."""
     kinds = {ref.kind for place in places for ref in place.refs}
+    if "middle" in kinds and "top" not in kinds:
+        return [_as_top(reading, place) for place in places]
     stated = reading.facts.floors and reading.facts.floors[0].value != 3
     if stated or not {"upper", "top"} <= kinds <= {"upper", "top", "basement", "number"}:
         return places
@@ -87,6 +89,19 @@ def _below_the_top(reading: Reading, places: list[Place]) -> list[Place]:
         return place.refs[0].kind == "upper" and not place.refs[0].first and not each and not several
 
     return [replace(place, refs=(replace(place.refs[0], first=1),)) if is_one(place) else place for place in places]
+
+
+def _as_top(reading: Reading, place: Place) -> Place:
+    """Return one upper storey beside a middle one as the top one: "Lowest: a shop. Middle: a hall. Upper: a bakery"."""
+    several = any(reading.plural(at) for at in range(place.first, place.last))
+    one = place.refs[0].kind == "upper" and not place.refs[0].first and reading.word(place.last - 1) in _UPPER_ONE
+    if not one or several or len(place.refs) > 1:
+        return place
+    return replace(place, refs=(replace(place.refs[0], kind="top"),))
+
+
+_UPPER_ONE = FLOOR_WORDS | {"upper", "one", ":", "="}
+"""What ends the name of one upper storey; "upstairs" may be several."""
 
 
 def _with_edges(reading: Reading, place: Place) -> Place:

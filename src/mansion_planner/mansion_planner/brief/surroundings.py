@@ -5,7 +5,7 @@ from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
 __all__ = ["is_elsewhere"]
 
-_AWAY = frozenset({"minute", "km", "kilometre", "mile", "walk", "drive", "away", "far", "metre", "m", "block", "hour"})
+_AWAY = frozenset({"minute", "km", "kilometre", "mile", "walk", "drive", "hour"})
 """How far something is from the building."""
 _FROM = frozenset({"from", "to", "of"})
 _ARTICLES = frozenset({"a", "an", "the", "our", "my", "its"})
@@ -53,7 +53,7 @@ def _is_predicate(reading: Reading, phrase: Phrase) -> bool:
 def _is_client(reading: Reading, phrases: list[Phrase]) -> bool:
     """Whether the second phrase is whom the building is for: "office for a law chambers", "for an animation studio"."""
     whole, client = phrases[0], phrases[1]
-    led = reading.word(_before(reading, client)) == "for" and reading.word(client.begin - 1) in ("a", "an", "our")
+    led = reading.word(_before(reading, client)) == "for" and reading.word(client.begin - 1) in ("a", "an")
     opens = client.first <= _OPENING and whole.last == _before(reading, client)
     plain = reading.word(whole.noun_end - 1) in _WHOLES
     return led and opens and not plain and reading.word(client.last) in _MARKS

@@ -11,6 +11,7 @@ __all__ = [
     "ALL",
     "GENERAL",
     "LODGINGS",
+    "TELLING",
     "Households",
     "are_dwellings",
     "are_units",
@@ -50,6 +51,8 @@ _ADJECTIVES = 2
 _ROWS = _ONE_HOME | {"house", "townhouse", "villa", "bungalow", "cottage"}
 
 _BEDS = frozenset({"bed", "bedroom", "br", "bedroomed", "bedded", "bdr"})
+TELLING = frozenset({"has", "consist", "consists", "contain", "contains", "comprise", "comprises", "have", "hold", "="})
+"""Verbs after "a cluster" that tell what each of the clusters holds."""
 ALL = frozenset({"each", "every", "all", "both", "per"})
 """Determiners that speak of all units of a kind."""
 
@@ -197,8 +200,13 @@ class _Units:
             phrase = finished_phrase(reading, "room", begin, index + 1, room=kind)
             reading.taken |= taken
             counted = phrase.counted and (phrase.count or 0) > 1 and phrase.plural
-            if counted or (phrase.determiner in ALL and any(p.room_type == kind for p in self.phrases)):
+            generic = phrase.determiner in ALL or (phrase.determiner in ("a", "an", "one") and self._tells(phrase))
+            if counted or (generic and any(p.room_type == kind for p in self.phrases)):
                 put_phrase(reading, self.phrases, phrase)
+
+    def _tells(self, phrase: Phrase) -> bool:
+        """Whether it is told what such a unit holds: "a cluster consists of six rooms"."""
+        return self.reading.word(phrase.last) in TELLING
 
     def _is_home(self) -> bool:
         """Whether the brief is about a home."""
@@ -224,7 +232,8 @@ class _Units:
         reading = self.reading
         noun = group.name.rpartition("_")[2]
         for index in range(group.last, len(reading.tokens) - 1):
-            if reading.word(index) in ALL and reading.word(index + 1) == noun:
+            told = reading.word(index) in ("a", "an", "one") and reading.word(index + 2) in TELLING
+            if (reading.word(index) in ALL or told) and reading.word(index + 1) == noun:
                 again = finished_phrase(reading, "room", index + 1, index + 2, room=group.room_type, known=False)
                 put_phrase(reading, self.phrases, again)
                 self.groups.add(again.first)
@@ -243,11 +252,14 @@ class _Units:
             return False
         if phrase.first in self.groups:
             return True
+        if phrase.room_type in LODGINGS and self._is_in_group(phrase):
+            return False
         if phrase.name == "suite" and any(p.name.endswith("_suite") and p.room_type == "bedroom" for p in self.phrases):
             return False  # "six bedroom suites; each suite has a dressing room"
         several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
         if phrase.room_type in LODGINGS or phrase.room_type in ("team_room", "common_room"):
-            own = phrase.head == "room" and (phrase.plural or phrase.determiner in ALL)
+            generic = phrase.determiner in ("a", "an", "one") and phrase.room_type == "common_room" and self._tells(phrase)
+            own = phrase.head == "room" and (phrase.plural or phrase.determiner in ALL or generic)
             parts = _PARTS_OF_HOMES if self._is_home() else frozenset[str]()
             return own and (phrase.room_type in LODGINGS or phrase.name.rpartition("_")[2] in _NOUNS.keys() | parts)
         if not self.reading.knowledge.room(phrase.room_type).unit:
@@ -267,11 +279,21 @@ class _Units:
         listed = phrase.determiner in ALL | {"a", "an", "another"}
         return several or phrase.plural or listed or phrase.counted or sized  # "upstairs two-bedroom flat"
 
+    def _is_in_group(self, phrase: Phrase) -> bool:
+        """Whether a group of rooms is right before a phrase and holds it: "a cluster consists of six single rooms"."""
+        return any(
+            group.room_type == "common_room"
+            and group.last < phrase.first
+            and set(self.reading.words(group.last, phrase.first)) <= TELLING | {"of", "with", "each", ","}
+            for group in self.phrases
+        )
+
     def _heads_list(self, phrase: Phrase) -> bool:
         """Whether the dwelling heads a list of rooms: "first floor is the flat: ...", "upstairs: flat with ..."."""
         reading = self.reading
         one = not phrase.plural and phrase.determiner not in ALL
-        opened = one and reading.word(phrase.last) in (":", "(")
+        placed = phrase.last + (reading.word(phrase.last) in ("upstair", "upstairs", "above"))
+        opened = one and (reading.word(phrase.last) in (":", "(") or reading.word(placed) == ":")
         headed = not phrase.determiner and reading.word(phrase.first - 1) in (":", "=")
         return opened or (headed and reading.word(phrase.last) in _LISTING)
 
