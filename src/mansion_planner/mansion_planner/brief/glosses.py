@@ -14,6 +14,7 @@ _PLACES = frozenset({"room", "space", "place", "area", "corner", "spot", "somewh
 """Nouns that say nothing of a room: what they are for is all that is told of it."""
 _LEADS = frozenset({"with", "where", "for", "that", "which"})
 _LAST_PREPOSITIONS = frozenset({"in", "on", "at", "from", "with"})
+_SAID = (("is",), ("are",))
 _SUBJECT = 5
 """Tokens of what is explained, at most."""
 _PURPOSE = 8
@@ -47,6 +48,11 @@ def _sentence_end(tokens: list[Token], index: int) -> int:
     return index
 
 
+def _after_sentence(tokens: list[Token], index: int) -> int:
+    """Return where the next sentence begins."""
+    return min(_sentence_end(tokens, index) + 1, len(tokens))
+
+
 def _named_elsewhere(tokens: list[Token], first: int, last: int) -> bool:
     """Whether the words of a subject stand before its sentence, too."""
     words = [token.text for token in tokens[first:last] if token.kind == "word" and token.text not in _NO_SUBJECT]
@@ -59,8 +65,18 @@ def _gloss(tokens: list[Token], index: int) -> int:
     for verb in range(index + 1, min(index + 1 + _SUBJECT, len(tokens))):
         meant = any(_texts(tokens, verb, verb + len(words)) == words for words in _MEANING)
         if meant and tokens[index].text not in _PRONOUNS and _named_elsewhere(tokens, index, verb):
-            return _sentence_end(tokens, verb) - index
-    return 0
+            return _after_sentence(tokens, verb) - index
+    return _quoted_gloss(tokens, index)
+
+
+def _quoted_gloss(tokens: list[Token], index: int) -> int:
+    """Return of how many tokens "'Suite' is an office suite" or "the rooms are 'cells' in the leaflet" is; else 0."""
+    verb = next((at for at in range(index + 1, index + _SUBJECT + 1) if _texts(tokens, at, at + 1) in _SAID), 0)
+    if not verb or not _named_elsewhere(tokens, index, verb):
+        return 0
+    subject = '"' in _texts(tokens, index, verb) and _texts(tokens, verb + 2, verb + 3) != ("room",)
+    predicate = _texts(tokens, verb + 1, verb + 2) == ('"',) and tokens[verb].text == "are"
+    return _after_sentence(tokens, verb) - index if subject or predicate else 0
 
 
 def _plain_room(tokens: list[Token], index: int) -> int:

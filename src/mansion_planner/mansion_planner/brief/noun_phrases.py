@@ -127,6 +127,7 @@ def _chunks(reading: Reading) -> list[tuple[int, int]]:
                 or _is_modifier(reading, index)
             )
             and reading.word(index) not in FLOOR_WORDS
+            and reading.words(index, index + 3) != ("wall", "to", "wall")
         )
         glued = (
             index < len(reading.tokens) - 1

@@ -26,6 +26,7 @@ from mansion_planner.brief.recalled_wishes import without_recalled_wishes
 from mansion_planner.brief.relative_areas import relative_areas
 from mansion_planner.brief.rooms_by_number import rooms_by_number
 from mansion_planner.brief.rooms_by_person import rooms_by_person
+from mansion_planner.brief.rooms_by_sex import rooms_by_sex
 from mansion_planner.brief.seated_people import seated_people
 from mansion_planner.brief.shortened_nouns import shortened_nouns
 from mansion_planner.brief.spelling import corrected, without_slips
@@ -229,23 +230,10 @@ class Reading:
 def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], bool] = lambda: False) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
-    tokens, corrections = corrected_numbers(
-        without_asides(
-            spoken_turns(
-                shortened_nouns(
-                    chosen(
-                        without_conversions(
-                            without_recalled_wishes(
-                                without_glosses(
-                                    without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à"))))
-                                )
-                            )
-                        )
-                    )
-                )
-            )
-        )
-    )
+    tokens = without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à"))))
+    tokens = chosen(without_conversions(without_recalled_wishes(without_glosses(tokens))))
+    tokens = spoken_turns(rooms_by_sex(shortened_nouns(tokens)))
+    tokens, corrections = corrected_numbers(without_asides(tokens))
     tokens = labelled_rooms(
         paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS))))
     )

@@ -32,8 +32,8 @@ def without_recalled_wishes(tokens: list[Token]) -> list[Token]:
             last += 1
         sentence = tokens[first:last]
         verb = _recall(sentence)
-        result += sentence if verb is None else _refusal(sentence, verb)
-        result += tokens[last : last + 1]
+        kept = sentence if verb is None else _refusal(sentence, verb)
+        result += [*kept, *tokens[last : last + 1]] if kept or verb is None else []
         first = last + 1
     return result
 

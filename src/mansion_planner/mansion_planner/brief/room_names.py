@@ -408,9 +408,21 @@ class _Entry:
             return False
         if self.begin - 2 in self.named.ends and self.reading.word(self.begin - 2) == ",":
             return False
+        if self._before == "," and self._follows_room():
+            return False
         between = self._before == "," and self.begin - 1 in self.named.things and self._headed and self._after == ","
         between = between and not self._plural
         return not (between and (self.end + 1 in self.named.begins or self.reading.word(self.end + 2) == ","))
+
+    def _follows_room(self) -> bool:
+        """Whether the entry before is a room of which nothing was said but its size: "a paint shop (90 m2), joinery"."""
+        reading = self.reading
+        end = max((last for last in self.named.ends if last < self.begin), default=-1)
+        thing = max((last for last in self.named.things if last < self.begin), default=-1)
+        between = reading.words(end, self.begin)
+        said = {"with", "has", "have", "having", "holding", "for", "where", "and", "contain"}
+        near = 0 <= end and reading.sentence[end - 1] == reading.sentence[self.begin] and self.begin - end <= _NEAR
+        return near and thing < end and said.isdisjoint(between)
 
     def _is_content(self) -> bool:
         """Whether they name people or furniture in a room."""
@@ -458,6 +470,8 @@ def _has_measure(reading: Reading, end: int) -> bool:
     return reading.kind(index) == "number" and index in reading.taken and reading.kind(index + 1) == "unit"
 
 
+_NEAR = 12
+"""Tokens between a room with its size and the next entry of a list, at most."""
 _BESIDE = frozenset({"beside", "between", "adjoining", "adjoin", "touching", "near", "by", "facing"})
 _HOLDS = frozenset("holding containing with houses housing has have holds".split())
 _NO_ROOMS = frozenset(
@@ -472,7 +486,7 @@ _NO_ROOMS = frozenset(
     rent own occupy
     other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m
     metre meter roof region order vicinity neighbourhood neighborhood altogether totality
-    skylight rooflight dormer chimney h haha lol generation side symbol abt bit month
+    skylight rooflight dormer chimney h haha lol generation side symbol abt bit month latter former
     st ea adj approx spectacular stunning ground first thought think guess reckon say site facility facilities
     opportunity potential above below underneath beneath overhead alongside nearby opposite adjacent outdoors indoors
     """.split()

@@ -50,6 +50,9 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     hall = phrase.name.split("_")[0] == "hall" and phrase.room_type == "hallway"
     big = not _BIG.isdisjoint(reading.words(phrase.first, phrase.noun_end)) and family not in _DWELT_IN
     big = big or (reading.word(phrase.last) == "for" and reading.value(phrase.last + 1) >= _CROWD)
+    big = big or (phrase.name == "hall" and family not in ("", *_DWELT_IN) and _holds_things(reading, phrase))
+    if hall and big and family == "industry":
+        return replace(phrase, room_type="production_hall")
     if hall and (big or sum(phrase.areas[:1]) >= 40.0):
         return replace(phrase, room_type="assembly_hall")
     if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
@@ -71,6 +74,10 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         if words[-1] == "cabin" and family and family not in _DWELT_IN:
             kind = elliptic_room_type(tuple(words[:-1]), reading.knowledge) or "private_office"
             return replace(phrase, head="room", building="", room_type=kind, known=True)
+        if words[-1] == "house" and phrase.building == "house" and family in _WORKING | {"retail", "health"}:
+            kind = elliptic_room_type(tuple(words[:-1]), reading.knowledge)
+            kind = kind or ("production_hall" if family == "industry" else "storage")
+            return replace(phrase, head="room", building="", room_type=kind, known=False)  # a winery's press house
         if words[-1] == "station" and phrase.building == "train_station" and not phrase.plural:
             return replace(phrase, head="room", building="", room_type=HEAD_TYPES["station"], known=False)
     kinds = [reading.facts.building_name, *(kind for kind, _ in reading.facts.building[:1])]
@@ -85,6 +92,10 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, head="room", building="", room_type=studio, known=False)
     if phrase.name == "cell" and phrase.room_type == "holding_cell" and family in _DWELT_IN | {"worship", "culture"}:
         return replace(phrase, room_type="bedroom", known=False)  # a monk's
+    if family in ("home", "") and not phrase.known and _is_of_somebody(words) and phrase.head == "room":
+        return replace(phrase, room_type="childrens_room" if words[0] in _YOUNG else "bedroom", known=True)
+    if family == "home" and phrase.name == "parent" and phrase.head == "room":
+        return replace(phrase, room_type="master_bedroom", count=1, counted=False, plural=False)
     if (family == "home" and phrase.name in _AT_HOME) or (not family and phrase.name == "diner"):
         return replace(phrase, head="room", building="", room_type=_AT_HOME[phrase.name], known=True)
     if family == "home" and phrase.name == "library" and phrase.room_type == "library":
@@ -104,10 +115,29 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
     return None
 
 
+def _is_of_somebody(words: Sequence[str]) -> bool:
+    """Whether a room is called after a member of a family: "the teenager's room", "grandma's room"."""
+    return len(words) == 2 and words[1] == "room" and words[0] in _YOUNG | _GROWN
+
+
+_YOUNG = frozenset({"teenager", "teen", "son", "daughter", "baby", "toddler"})
+_GROWN = frozenset(
+    {"grandparent", "grandmother", "grandfather", "grandma", "grandpa", "nanny", "mother", "father", "aunt", "uncle"}
+)
+"""Members of a family who have a room of their own in a home."""
+
+
 def _holds_instruments(reading: Reading, words: Sequence[str], family: str) -> bool:
     """Whether a bay is one of a laboratory: an etching bay, a metrology bay."""
     laboratory = family in _INSTRUMENTS or reading.facts.building_like.startswith("laboratory")
     return laboratory and len(words) > 1 and _FOR_CARS.isdisjoint(words)
+
+
+def _holds_things(reading: Reading, phrase: Phrase) -> bool:
+    """Whether something stands in a hall: "a hall for ten buses", "hall with six check-in counters"."""
+    number = phrase.last + 1
+    counted = reading.kind(number) == "number" and reading.value(number) > 1 and reading.kind(number + 1) != "unit"
+    return reading.word(phrase.last) in ("for", "with") and (counted or reading.plural(number))
 
 
 _ENTRANCES = frozenset({"entrance_hall", "entry_hall", "entrance_room"})

@@ -71,6 +71,7 @@ class _Count:
 
 
 _LEVEL = frozenset((ground, noun) for ground in ("ground", "street") for noun in ("level", "floor"))
+_POINTING = frozenset({"that", "this", "same"})
 """What follows "all" where everything is on one storey: "all ground level"."""
 
 
@@ -195,10 +196,18 @@ class StoreyCounts:
         if word == "all" and reading.words(index + 1, index + 3) in _LEVEL and reading.word(index + 3) in CLOSERS:
             self._state(1, index, index + 3)
             return index + 3
+        if word == "all" and reading.word(index + 1) == "level" and reading.starts(index):
+            level = index + 2 if reading.breaks(index + 2) else 0  # "All level."
+            if level:
+                self._state(1, index, level)
+                return level
         if word not in ("everything", "all", "wholly", "entirely") or reading.word(index + 1) not in ("on", "at", "in"):
             return index
         last = index + 2
         last += reading.word(last) in ("the", "a")
+        if reading.word(last) in _POINTING and reading.word(last + 1) in FLOOR_WORDS and not reading.facts.floors:
+            self._state(1, index, last + 2)
+            return last + 2
         grade = reading.word(last) == "grade"
         ground = reading.word(last) == "ground" and (
             reading.word(last + 1) in CLOSERS or reading.word(last + 1) in ("floor", "level")

@@ -27,6 +27,7 @@ def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     return (
         (bool(phrase.building) and _is_away(reading, phrase))
         or (number > 0 and _is_predicate(reading, phrase))
+        or _is_seen(reading, phrases, phrase)
         or (number == 1 and (_is_client(reading, phrases) or _is_shell(reading, phrases)))
         or (number > 0 and bool(phrase.building) and _has_the_floor(reading, phrase))
     )
@@ -48,6 +49,13 @@ def _is_predicate(reading: Reading, phrase: Phrase) -> bool:
     lead = reading.words(phrase.begin - 3, phrase.begin)
     said = lead in (("this", "is", "a"), ("this", "is", "an"), ("it", "is", "a"), ("it", "is", "an"))
     return said and bool(phrase.building) and reading.word(phrase.last) in ("that", "which", "where")
+
+
+def _is_seen(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> bool:
+    """Whether another room only looks out on a hall that is named nowhere else: "with a view over the hall"."""
+    lead = reading.words(phrase.begin - 3, phrase.begin)
+    seen = lead[-1:] == ("the",) and ("view" in lead or "overlooking" in lead)
+    return seen and not any(p is not phrase and phrase.name in p.name for p in phrases)
 
 
 def _is_client(reading: Reading, phrases: list[Phrase]) -> bool:

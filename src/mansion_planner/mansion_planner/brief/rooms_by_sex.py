@@ -1,0 +1,71 @@
+"""Write out for whom toilets and changing rooms are: "WC f, WC m", "toilets by sex", "staff WC m/w"."""
+
+from dataclasses import replace
+
+from mansion_language import Token
+
+__all__ = ["rooms_by_sex"]
+
+_ROOMS = frozenset({"wc", "toilet", "restroom", "washroom", "lavatory", "shower", "changing", "locker", "lavatory"})
+_SEXES = {
+    "m": "man", "f": "woman", "w": "woman", "male": "man", "female": "woman", "ladies": "lady", "lady": "lady",
+    "gents": "gent", "gent": "gent", "men": "man", "man": "man", "women": "woman", "woman": "woman",
+    "accessible": "accessible", "disabled": "accessible",
+}  # fmt: skip
+_ENDS = frozenset({"", ",", ".", ";", "\n", ")", "("})
+_EITHER = (
+    ("by", "sex"), ("by", "gender"), ("for", "either", "sex"), ("for", "both", "sex"), ("for", "each", "sex"),
+    ("for", "both", "gender"), ("separated", "by", "sex"), ("separate", "by", "sex"), ("split", "by", "sex"),
+    ("separated", "by", "gender"), ("for", "either", "gender"), ("of", "either", "sex"), ("per", "sex"),
+)  # fmt: skip
+"""What says that there is one for women and one for men."""
+
+
+def rooms_by_sex(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with the users of such rooms in full, before or behind their noun."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        token = tokens[index]
+        either = _either(tokens, index) if token.text in _ROOMS or token.text == "room" else 0
+        if either:
+            result += [token, *_for_both(tokens[index + 1])]
+            index = either
+        elif token.text == "w" and _text(tokens, index - 1) == "/" and _text(tokens, index - 2) == "m":
+            result.append(replace(token, text="f"))
+            index += 1
+        elif _is_led(tokens, index):
+            user = tokens[index + 1]
+            result += [replace(user, text=_SEXES[user.text], kind="word"), token]
+            index += 2
+        else:
+            result.append(token)
+            index += 1
+    return result
+
+
+def _text(tokens: list[Token], index: int) -> str:
+    return tokens[index].text if 0 <= index < len(tokens) else ""
+
+
+def _is_led(tokens: list[Token], index: int) -> bool:
+    """Whether those who use a room stand behind its noun and the entry of a list ends: "WC f, WC m"."""
+    if tokens[index].text not in _ROOMS or tokens[index].plural or _text(tokens, index + 1) not in _SEXES:
+        return False
+    return _text(tokens, index + 2) in _ENDS and _text(tokens, index - 1) in _ENDS | {":", "and", "+", "&", "staff"}
+
+
+def _either(tokens: list[Token], index: int) -> int:
+    """Return where "toilets by sex" or "WC two by sex" ends after its noun; 0 where nothing of the kind is said."""
+    at = index + 1
+    at += at < len(tokens) and tokens[at].kind == "number" and tokens[at].value == 2
+    for words in _EITHER:
+        if tuple(token.text for token in tokens[at : at + len(words)]) == words:
+            return at + len(words)
+    return 0
+
+
+def _for_both(place: Token) -> list[Token]:
+    """Return the tokens of "for women and men" at the place of another one."""
+    return [replace(place, kind="word", text=text, plural=text in ("woman", "man"), value=0.0)
+            for text in ("for", "woman", "and", "man")]  # fmt: skip
