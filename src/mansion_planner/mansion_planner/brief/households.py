@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from mansion_language.numbers import NUMBER_WORDS
 from mansion_planner.brief.facts import FloorRef, RoomFact
+from mansion_planner.brief.mixed_units import parted, shares_of
 from mansion_planner.brief.phrase import Phrase, is_whole_count
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.unit_rooms import UnitRooms
@@ -48,10 +49,12 @@ class _Households:
         self.found = find_units(reading, phrases, building)
         self.lists = UnitRooms(reading, phrases, places, building, self.found)
         self.listed: set[int] = set()
+        self.shared: set[int] = set()
 
     def run(self) -> None:
         """Read the rooms that each statement gives the units."""
-        for phrase in [p for p in self.phrases if p.first in self.found.units]:
+        self._shares()
+        for phrase in [p for p in self.phrases if p.first in self.found.units and p.first not in self.shared]:
             every = phrase.determiner in ALL and (phrase.determiner == "each" or not phrase.counted)
             again = phrase.plural or (phrase.determiner == "the" and not phrase.counted and self._leads_list(phrase))
             those = phrase.determiner in ("the", "these", "those") and again and self._named_before(phrase)
@@ -216,6 +219,30 @@ class _Households:
             self.found.units[index] = common
             self._give([index], rooms)
             self._give([unit.first], later)
+
+    def _shares(self) -> None:
+        """Read how many of some flats have how many bedrooms."""
+        reading = self.reading
+        for unit in [p for p in self.phrases if p.first in self.found.units and p.first not in self.found.sizes]:
+            shares = shares_of(reading, unit)
+            for number, share in enumerate(shares):
+                beds = Phrase("room", share.bedrooms, share.bedrooms, share.last, share.last, "bedroom", name="bedroom",
+                              label="bedroom", count=share.beds, counted=True, plural=share.beds > 1)  # fmt: skip
+                put_phrase(reading, self.phrases, beds)
+                self.found.inner.add(beds.first)
+                self.shared |= {unit.first, share.first}
+                if number == 0:
+                    at = next(n for n, p in enumerate(self.phrases) if p.first == unit.first)
+                    self.phrases[at] = replace(unit, count=share.count)
+                    self.found.sizes[unit.first] = beds
+                    reading.take(share.first, share.last)
+                    continue
+                part = parted(unit, share)
+                put_phrase(reading, self.phrases, part)
+                reading.take(share.first, share.last)
+                self.found.copies[part.first] = unit.first
+                self.found.units[part.first] = list(self.found.units[unit.first])
+                self.found.sizes[part.first] = beds
 
     def _counts_behind(self) -> None:
         """Read "flats of two bedrooms and a bathroom, three on each floor": the number stands behind."""

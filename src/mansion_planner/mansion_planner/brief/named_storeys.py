@@ -115,10 +115,21 @@ class NamedStoreys:
             return True
         if reading.words(index + 1, index + 3) == ("only", ":") and reading.starts(index):
             return True
+        room = reading.mention_at.get(index + 1)
+        if reading.starts(index) and room is not None and room.room and self._heads_with_ordinals(index):
+            return True  # "Ground bar and shop. Second: six rooms."
         if lead == "," and following == ":":
             return True  # "in a Nordic style, ground: a kitchen"
         led = lead in ("the", "on", "at") or reading.starts(index) or (lead == "in" and reading.starts(index - 1))
         return led and following in CLOSERS | _AFTER_GROUND
+
+    def _heads_with_ordinals(self, index: int) -> bool:
+        """Whether later sentences open with an ordinal and a colon: "Second: six rooms"."""
+        reading = self.reading
+        return any(
+            reading.kind(at) == "ordinal" and reading.starts(at) and reading.word(at + 1) == ":"
+            for at in range(index + 1, len(reading.tokens))
+        )
 
     def _is_bottom(self, index: int) -> bool:
         """Whether "bottom" or "lowest" stands for the ground floor: "at the bottom a shop", "the very bottom"."""

@@ -188,6 +188,7 @@ def finished_phrase(
     name = name_of(reading, begin, end, core=mention.first if mention is not None else end - 1)
     named = begin + (begin < end - 1 and _measures_places(reading, begin))
     label = reading.text[reading.tokens[named].start : reading.tokens[end - 1].end]
+    label = label or " ".join(reading.words(named, end))  # a noun that the text leaves out
     return Phrase(
         head,
         first,
@@ -331,6 +332,8 @@ def _passed_over(reading: Reading, index: int, end: int) -> int:
 def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     """Read "(4)", "x3", ": five of them", ", 18 no." after a head; return where it ends and the number."""
     word = reading.word(end)
+    if _is_bare_count(reading, end):
+        return end + 1, int(reading.value(end))
     value = reading.value(end + 1) if reading.kind(end + 1) == "number" else 0.0
     whole = is_whole_count(value)
     if word == "(" and whole and _closes_classified(reading, end + 2):
@@ -376,6 +379,19 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     if word in (",", ":") and whole and reading.word(end + 2) in ("no", "nos", "number", "off", "pcs", "piece"):
         return end + 3 + (reading.word(end + 3) == "."), int(value)
     return end, None
+
+
+def _is_bare_count(reading: Reading, index: int) -> bool:
+    """Whether a number at a token counts the nouns right before it: "bathrooms one on each floor", "offices 6,"."""
+    counts = reading.kind(index) == "number" and index not in reading.taken and is_whole_count(reading.value(index))
+    if not counts or not reading.plural(index - 1) or _counts_places(reading, index - 1):
+        return False
+    shared = reading.words(index + 1, index + 3) in (("on", "each"), ("on", "every"), ("per", "floor"), ("per", "storey"))
+    return shared or (reading.value(index) <= _MOST_BEHIND and _is_closed(reading, index + 1))
+
+
+_MOST_BEHIND = 40
+"""The largest number that counts what stands right before it; a larger one is a name or an area."""
 
 
 def _is_closed(reading: Reading, index: int) -> bool:

@@ -18,6 +18,7 @@ from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.garages import garages
 from mansion_planner.brief.glosses import without_glosses
+from mansion_planner.brief.kinds_of_rooms import kinds_of_rooms
 from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.masters_bathroom import masters_bathroom
@@ -232,7 +233,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     lexicon = lexicon_of(knowledge)
     tokens = without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à"))))
     tokens = chosen(without_conversions(without_recalled_wishes(without_glosses(tokens))))
-    tokens = spoken_turns(rooms_by_sex(shortened_nouns(tokens)))
+    tokens = spoken_turns(kinds_of_rooms(rooms_by_sex(shortened_nouns(tokens))))
     tokens, corrections = corrected_numbers(without_asides(tokens))
     tokens = labelled_rooms(
         paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS))))

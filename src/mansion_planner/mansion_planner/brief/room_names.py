@@ -419,10 +419,12 @@ class _Entry:
         reading = self.reading
         end = max((last for last in self.named.ends if last < self.begin), default=-1)
         thing = max((last for last in self.named.things if last < self.begin), default=-1)
-        between = reading.words(end, self.begin)
-        said = {"with", "has", "have", "having", "holding", "for", "where", "and", "contain"}
+        sized = all(
+            reading.kind(at) in ("number", "unit", "mark") or reading.word(at) in ("of", "each")
+            for at in range(end, self.begin)
+        )
         near = 0 <= end and reading.sentence[end - 1] == reading.sentence[self.begin] and self.begin - end <= _NEAR
-        return near and thing < end and said.isdisjoint(between)
+        return near and thing < end and sized and not self._plural
 
     def _is_content(self) -> bool:
         """Whether they name people or furniture in a room."""
@@ -585,7 +587,9 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
         if generic and phrase.name in ("hall", "room", "space", "area", "corner", "zone", "post", "section")
         else phrase.room_type
     )
+    left_out = reading.tokens[phrase.begin].start == reading.tokens[phrase.begin].end
     label = reading.span(phrase.begin, end).words
+    label = f"{phrase.label} {reading.span(last, end).words}" if left_out else label
     same = _kind_named(reading, begin, end, phrase.name)
     known = bool(same) or phrase.known
     if phrase.name == "room" and reading.word(end - 1) in _RESIDENTS and not own_rooms:

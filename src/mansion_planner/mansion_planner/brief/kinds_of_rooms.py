@@ -1,0 +1,58 @@
+"""Give each kind its noun where a colon shares rooms out: "changing rooms: two for home teams, one for referees"."""
+
+from dataclasses import replace
+
+from mansion_language import Token
+
+__all__ = ["kinds_of_rooms"]
+
+_LEADS = frozenset({"for", "with", "of"})
+_SEPARATORS = frozenset({",", "and", ";"})
+_NO_NOUNS = frozenset(
+    "a an the need want have has get with and or of for are be we i you our my their these those following".split()
+)
+_LONGEST = 8
+"""Tokens of one of the kinds, at most."""
+
+
+def kinds_of_rooms(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with the noun before a colon repeated behind the number of each kind."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        counts = _counts(tokens, index)
+        if len(counts) < 2:
+            result.append(tokens[index])
+            index += 1
+            continue
+        noun = tokens[index - 2 : index] if _is_noun(tokens, index - 2) else tokens[index - 1 : index]
+        del result[-len(noun) :]
+        for at in range(index + 1, counts[-1] + 1):
+            result.append(tokens[at])
+            if at in counts:
+                several = tokens[at].value != 1
+                result += [replace(token, start=tokens[at].end, end=tokens[at].end) for token in noun[:-1]]
+                result.append(replace(noun[-1], start=tokens[at].end, end=tokens[at].end, plural=several))
+        index = counts[-1] + 1
+    return result
+
+
+def _is_noun(tokens: list[Token], index: int) -> bool:
+    return index >= 0 and tokens[index].kind == "word" and tokens[index].text not in _NO_NOUNS
+
+
+def _counts(tokens: list[Token], index: int) -> list[int]:
+    """Return the numbers that share out what stands in the plural before a colon at a token."""
+    if tokens[index].text != ":" or not _is_noun(tokens, index - 1) or not tokens[index - 1].plural:
+        return []
+    found: list[int] = []
+    at = index + 1
+    while at + 1 < len(tokens) and tokens[at].kind == "number" and tokens[at + 1].text in _LEADS:
+        found.append(at)
+        end = at + 2
+        while end < len(tokens) and end - at < _LONGEST and tokens[end].text not in _SEPARATORS:
+            if tokens[end].kind != "word":
+                return found
+            end += 1
+        at = end + 1 + (end + 1 < len(tokens) and tokens[end + 1].text == "and")
+    return found
