@@ -61,7 +61,7 @@ class _Households:
             generic = phrase.determiner in ("a", "an", "one") and self.reading.word(phrase.last) in TELLING
             again_one = self._is_spoken_of_again(phrase)
             if again_one:
-                self._place_with_mention(phrase)
+                self._place_with_mention(phrase, self._owners(phrase))
             if every or those or again_one or (generic and self._named_before(phrase)):
                 self._of_all(phrase)
             else:
@@ -79,6 +79,7 @@ class _Households:
         """Read what follows a unit that the brief asks for."""
         rooms, end = self.lists.after(unit.last, always=False, guests=unit.room_type in LODGINGS)
         if rooms:
+            self._place_with_mention(unit, [unit.first])
             self._give(self._same_noun(unit.first), rooms)
             if not any(unit.last <= place.first < rooms[0].first for place in self.places):
                 self.found.ends[unit.first] = end
@@ -128,11 +129,12 @@ class _Households:
             for p in self.phrases
         )
 
-    def _place_with_mention(self, unit: Phrase) -> None:
-        """Put the flat that "Flat upstairs: ..." speaks of on that storey."""
+    def _place_with_mention(self, unit: Phrase, owners: Sequence[int]) -> None:
+        """Put flats on the storey that "Flat upstairs: ..." names between the flat and its rooms."""
         place = next((place for place in self.places if place.first == unit.last), None)
-        for owner in self._owners(unit) if place is not None else []:
-            self.found.floors.setdefault(owner, place.refs if place is not None else ())
+        if place is not None and self.reading.word(place.last) == ":":
+            for owner in owners:
+                self.found.headed.setdefault(owner, place.refs)
 
     def _named_before(self, unit: Phrase) -> bool:
         return any(p.first < unit.first and p.first in self.found.units and _alike(unit, p) for p in self.phrases)

@@ -110,7 +110,7 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, room_type="laboratory", known=True)
     if family == "health" and words[-1] in ("theatre", "theater") and phrase.room_type == "auditorium":
         return replace(phrase, head="room", building="", room_type="operating_room", known=True)
-    if family == "lodging" and words[-1] == "room" and phrase.room_type in _NOT_SLEPT_IN and phrase.counted:
+    if family == "lodging" and len(words) > 1 and words[-1] == "room" and phrase.room_type in _NOT_SLEPT_IN and phrase.counted:
         if phrase.name == "private_room" or (phrase.count or 0) >= _MANY:
             return replace(phrase, room_type="hotel_room", known=True)  # a crew hotel's crew rooms
     if family == "sport" and words[-2:] == ["shower", "room"] and not phrase.building:

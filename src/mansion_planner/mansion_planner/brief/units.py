@@ -79,6 +79,8 @@ class Households:
         Token after all that is said of a unit without a storey in between.
     floors : dict of int to tuple of FloorRef
         Storeys that stand in another form than a place ("four flats a floor").
+    headed : dict of int to tuple of FloorRef
+        Storeys that stand between a unit and the list of its rooms ("Flat upstairs: ...").
     """
 
     units: dict[int, list[Phrase]] = field(default_factory=dict)
@@ -89,6 +91,7 @@ class Households:
     sizes: dict[int, Phrase] = field(default_factory=dict)
     ends: dict[int, int] = field(default_factory=dict)
     floors: dict[int, tuple[FloorRef, ...]] = field(default_factory=dict)
+    headed: dict[int, tuple[FloorRef, ...]] = field(default_factory=dict)
 
     @property
     def read(self) -> set[int]:
@@ -275,9 +278,18 @@ class _Units:
             return False
         if phrase.determiner in ("the", "his", "her", "our", "my") and not phrase.plural:
             return "_" in phrase.name  # "the caretaker's flat", and not the flat that is planned
+        if "_" in phrase.name and not phrase.plural and self._is_told_later(phrase):
+            return True
         sized = self.reading.kind(phrase.begin - 1) == "number" and self.reading.word(phrase.begin) in _BEDS
         listed = phrase.determiner in ALL | {"a", "an", "another"}
         return several or phrase.plural or listed or phrase.counted or sized  # "upstairs two-bedroom flat"
+
+    def _is_told_later(self, phrase: Phrase) -> bool:
+        """Whether a later sentence lists the rooms of a dwelling by its noun: "florist's flat. ... Flat above: ..."."""
+        noun = phrase.name.rpartition("_")[2]
+        return any(
+            p.first > phrase.last and p.name == noun and p.name in GENERAL and self._heads_list(p) for p in self.phrases
+        )
 
     def _is_in_group(self, phrase: Phrase) -> bool:
         """Whether a group of rooms is right before a phrase and holds it: "a cluster consists of six single rooms"."""
