@@ -223,6 +223,8 @@ class UnitRooms:
         ):  # fmt: skip
             index = next(i for i in range(ahead, ahead + 3) if reading.kind(i) == "unit") + 1
             index += reading.word(index) == ")"
+        if reading.word(index) == "for" and reading.kind(index + 1) == "number" and reading.kind(index + 2) == "mark":
+            index += 2  # "a dining room for 16,"
         index += reading.word(index) in _BESIDE and reading.word(index + 1) in (",", "and")
         each = reading.word(index) in _STRONG and not self._room_at(index)
         return index + each, each
