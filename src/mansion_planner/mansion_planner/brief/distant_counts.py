@@ -5,7 +5,7 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
-from mansion_planner.brief.facts import Quantity, Span
+from mansion_planner.brief.facts import FloorRef, Quantity, Span
 from mansion_planner.brief.phrase import Phrase, is_whole_count, tells_some
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_attachment import Attachment
@@ -245,6 +245,7 @@ def read_halves(
     reading: Reading, phrases: list[Phrase], places: Sequence[Place], attached: dict[int, Attachment]
 ) -> None:
     """Read "twelve classrooms, half of them on either storey" and "half upstairs, half downstairs"."""
+    _read_even_shares(reading, phrases, attached)
     index = 0
     while index < len(reading.tokens):
         if reading.word(index) not in ("half", "halves") or index in reading.taken:
@@ -271,6 +272,35 @@ def read_halves(
         attached[rooms[-1]] = Attachment(refs, each=True)
         phrases[rooms[-1]] = replace(phrases[rooms[-1]], count=count // 2)
         reading.take(index - 1, (named[0] if both else named[1]).first)
+
+
+def _read_even_shares(reading: Reading, phrases: list[Phrase], attached: dict[int, Attachment]) -> None:
+    """Read "12 classrooms split evenly over the floors" as so many on each storey."""
+    storeys = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+    for index in range(len(reading.tokens)):
+        if reading.word(index) not in _EVENLY or index in reading.taken or storeys < 2:
+            continue
+        last = index + 1
+        while reading.word(last) in _OVER_ALL or (reading.kind(last) == "number" and reading.value(last) == storeys):
+            last += 1
+        rooms = [n for n, p in enumerate(phrases) if p.last <= index and p.room_type and p.counted]
+        room = phrases[rooms[-1]] if rooms else None
+        if reading.word(last) not in FLOOR_WORDS or room is None or index - room.last > _NEAR:
+            continue
+        count = room.count or 0
+        if count % storeys or reading.sentence[room.first] != reading.sentence[index]:
+            continue
+        span = reading.span(index, last + 1)
+        attached[rooms[-1]] = Attachment((FloorRef("every", span=span),), each=True)
+        phrases[rooms[-1]] = replace(room, count=count // storeys)
+        reading.take(room.last, last + 1)
+
+
+_EVENLY = frozenset({"evenly", "equally"})
+_OVER_ALL = frozenset(
+    {"over", "across", "between", "among", "on", "the", "both", "all", "divided", "split", "shared", "spread", "its"}
+)
+"""Words between "evenly" and the storeys over which rooms are shared out."""
 
 
 def _is_other_half(reading: Reading, index: int) -> bool:

@@ -17,6 +17,7 @@ _LONGEST = 8
 
 def kinds_of_rooms(tokens: list[Token]) -> list[Token]:
     """Return the tokens with the noun before a colon repeated behind the number of each kind."""
+    tokens = _with_second_nouns(tokens)
     result: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -35,6 +36,27 @@ def kinds_of_rooms(tokens: list[Token]) -> list[Token]:
                 result.append(replace(noun[-1], start=tokens[at].end, end=tokens[at].end, plural=several))
         index = counts[-1] + 1
     return result
+
+
+def _with_second_nouns(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with the noun of "one meeting room for 8 and one for 4" told twice."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        result.append(token)
+        joined = index and tokens[index - 1].text in ("and", ",", "plus") and token.text in ("one", "another")
+        if not joined or not _is_for_many(tokens, index + 1):
+            continue
+        for last in range(index - 1, max(index - _LONGEST, 1), -1):
+            if _is_for_many(tokens, last) and _is_noun(tokens, last - 1) and not tokens[last - 1].plural:
+                first = last - 2 if _is_noun(tokens, last - 2) else last - 1
+                result += [replace(noun, start=token.end, end=token.end) for noun in tokens[first:last]]
+                break
+    return result
+
+
+def _is_for_many(tokens: list[Token], index: int) -> bool:
+    """Whether "for 8" stands at a token."""
+    return index + 1 < len(tokens) and tokens[index].text == "for" and tokens[index + 1].kind == "number"
 
 
 def _is_noun(tokens: list[Token], index: int) -> bool:

@@ -94,6 +94,9 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, room_type="bedroom", known=False)  # a monk's
     if family in ("home", "") and not phrase.known and _is_of_somebody(words) and phrase.head == "room":
         return replace(phrase, room_type="childrens_room" if words[0] in _YOUNG else "bedroom", known=True)
+    if family == "home" and phrase.name == "loft" and (phrase.building or phrase.head == "room"):
+        sleeping = reading.word(phrase.last) == "for" and reading.word(phrase.last + 1).startswith("sleep")
+        return replace(phrase, head="room", building="", room_type="bedroom" if sleeping else "attic", known=True)
     if family == "home" and phrase.name == "parent" and phrase.head == "room":
         return replace(phrase, room_type="master_bedroom", count=1, counted=False, plural=False)
     if (family == "home" and phrase.name in _AT_HOME) or (not family and phrase.name == "diner"):

@@ -31,6 +31,12 @@ def rooms_by_sex(tokens: list[Token]) -> list[Token]:
         if either:
             result += [token, *_for_both(tokens[index + 1])]
             index = either
+        elif (included := _included(tokens, index)) is not None:
+            result += included
+            index += len(included) - 1 + (_text(tokens, index + 1) == ".")
+        elif token.text in ("accessible", "disabled") and _is_bare_one(tokens, index):
+            result += [replace(token, text="accessible"), Token("word", "toilet", token.end, token.end)]
+            index += 1
         elif token.text == "w" and _text(tokens, index - 1) == "/" and _text(tokens, index - 2) == "m":
             result.append(replace(token, text="f"))
             index += 1
@@ -53,6 +59,27 @@ def _is_led(tokens: list[Token], index: int) -> bool:
     if tokens[index].text not in _ROOMS or tokens[index].plural or _text(tokens, index + 1) not in _SEXES:
         return False
     return _text(tokens, index + 2) in _ENDS and _text(tokens, index - 1) in _ENDS | {":", "and", "+", "&", "staff"}
+
+
+def _included(tokens: list[Token], index: int) -> list[Token] | None:
+    """Return "and accessible toilet" for "incl. disabled" after toilets; nothing elsewhere."""
+    if tokens[index].text not in ("incl", "including", "inclusive") or _text(tokens, index - 1) not in _ROOMS:
+        return None
+    user = index + 1 + (_text(tokens, index + 1) == ".")
+    if _text(tokens, user) not in ("disabled", "accessible", "wheelchair") or _text(tokens, user + 1) not in _ENDS:
+        return None
+    at = tokens[user]
+    joint = replace(tokens[index], text="and", kind="word")
+    return [joint, replace(at, text="accessible"), Token("word", "toilet", at.end, at.end)]
+
+
+def _is_bare_one(tokens: list[Token], index: int) -> bool:
+    """Whether "and one accessible" ends an entry that began with toilets."""
+    one = index >= 2 and tokens[index - 1].kind == "number" and tokens[index - 1].value == 1
+    if not one or _text(tokens, index - 2) not in (",", "and", "&", "plus") or _text(tokens, index + 1) not in _ENDS:
+        return False
+    before = [token.text for token in tokens[max(index - 12, 0) : index]]
+    return not _ROOMS.isdisjoint(before) and "of" not in before[-2:]
 
 
 def _either(tokens: list[Token], index: int) -> int:

@@ -24,6 +24,7 @@ _OF_EACH = frozenset({"each", "every", "a", "an", "one", "per"})
 
 def shortened_nouns(tokens: list[Token]) -> list[Token]:
     """Return the tokens with rooms where "doubles" are counted, offices where "open-plan" ends, and "w/" as "with"."""
+    tokens = _with_baths_behind(tokens)
     texts = {token.text for token in tokens}
     result: list[Token] = []
     for index, token in enumerate(tokens):
@@ -58,6 +59,19 @@ def shortened_nouns(tokens: list[Token]) -> list[Token]:
 
 def _text(tokens: list[Token], index: int) -> str:
     return tokens[index].text if 0 <= index < len(tokens) else ""
+
+
+def _with_baths_behind(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with "ten en-suite rooms" as "ten rooms en suite"."""
+    result = list(tokens)
+    for index in range(len(tokens) - 2, 0, -1):
+        size = 2 if [token.text for token in tokens[index : index + 2]] == ["en", "suite"] else 1
+        noun = index + size
+        led = tokens[index].text == "ensuite" or size == 2
+        rooms = noun < len(tokens) and tokens[noun].text in ("room", "bedroom") and tokens[noun].plural
+        if led and rooms and tokens[index - 1].kind == "number":
+            result[index : noun + 1] = [tokens[noun], *tokens[index:noun]]
+    return result
 
 
 def _is_sum(tokens: list[Token], index: int) -> bool:

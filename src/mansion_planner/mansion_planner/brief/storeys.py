@@ -42,7 +42,24 @@ def read_storeys(reading: Reading) -> list[Place]:
     floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
     places = [_with_edges(reading, place) if place.last > place.first else place for place in scanner.places]
     places = _below_the_top(reading, _narrowed(reading, places))
+    if _ground_has_others(reading):
+        places = [_above_the_ground(place) for place in places]
     return resolve_rest(places, floors)
+
+
+def _ground_has_others(reading: Reading) -> bool:
+    """Whether the ground floor holds something "instead": what is on every floor is then on the others."""
+    words = [token.text for token in reading.tokens]
+    return any(
+        words[at : at + 1] == ["ground"] and "instead" in words[at + 1 : at + 6] and "of" not in words[at + 1 : at + 7]
+        for at in range(len(words))
+    )
+
+
+def _above_the_ground(place: Place) -> Place:
+    if len(place.refs) != 1 or place.refs[0].kind != "every":
+        return place
+    return replace(place, refs=(replace(place.refs[0], kind="upper"),))
 
 
 def _narrowed(reading: Reading, places: list[Place]) -> list[Place]:
