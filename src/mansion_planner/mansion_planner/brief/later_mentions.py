@@ -93,7 +93,7 @@ def _placed_later(
     rooms = [n for n in wanted if n not in same]
     for number in rooms:
         phrase = phrases[number]
-        if number not in attached or phrase.counted or phrase.plural or phrase.determiner not in ("", "the"):
+        if number not in attached or phrase.counted or phrase.determiner not in ("", "the"):
             continue
         if not _FURTHER.isdisjoint(reading.words(phrase.first - 1, phrase.begin + 1)):
             continue
@@ -109,7 +109,8 @@ def _placed_later(
 def _is_later_mention(reading: Reading, room: Phrase, phrase: Phrase) -> bool:
     """Whether a phrase has the name of one room that an earlier sentence names."""
     earlier = reading.sentence[room.first] < reading.sentence[phrase.first]
-    return room.name == phrase.name and room.count == 1 and earlier
+    several = phrase.plural and room.counted and (room.count or 0) > 1
+    return room.name == phrase.name and earlier and (several or (room.count == 1 and not phrase.plural))
 
 
 def _placed_again(

@@ -24,7 +24,7 @@ _OF_EACH = frozenset({"each", "every", "a", "an", "one", "per"})
 
 def shortened_nouns(tokens: list[Token]) -> list[Token]:
     """Return the tokens with rooms where "doubles" are counted, offices where "open-plan" ends, and "w/" as "with"."""
-    tokens = _with_baths_behind(tokens)
+    tokens = _without_storey_of_flat(_with_baths_behind(tokens))
     texts = {token.text for token in tokens}
     result: list[Token] = []
     for index, token in enumerate(tokens):
@@ -36,6 +36,9 @@ def shortened_nouns(tokens: list[Token]) -> list[Token]:
         result.append(replace(token, text=_WRITTEN_OUT.get(token.text, token.text)))
         if token.text in _SUM_MARKS and _is_sum(tokens, index):
             result[-1] = Token("word", "has", token.start, token.end) if token.text == "=" else replace(token, kind="word", text="and")
+            continue
+        if _sizes_a_home(tokens, index):
+            result[-1] = replace(token, spaced=False)
             continue
         if _is_bedroom(tokens, index):
             result[-1] = replace(token, text="bedroom")
@@ -72,6 +75,35 @@ def _with_baths_behind(tokens: list[Token]) -> list[Token]:
         if led and rooms and tokens[index - 1].kind == "number":
             result[index : noun + 1] = [tokens[noun], *tokens[index:noun]]
     return result
+
+
+_ONE_HOME = frozenset(
+    {"flat", "apartment", "house", "bungalow", "home", "maisonette", "condo", "penthouse", "cottage", "villa"}
+)
+
+
+def _sizes_a_home(tokens: list[Token], index: int) -> bool:
+    """Whether bedrooms are counted for one home whose noun follows, hyphen or not: "two bedroom flat"."""
+    if tokens[index].text not in ("bed", "bedroom") or tokens[index].plural or not index:
+        return False
+    after = tokens[index + 1 : index + 2]
+    counted = tokens[index - 1].kind == "number" and not tokens[index - 1].soft
+    return counted and bool(after) and after[0].text in _ONE_HOME and not after[0].plural
+
+
+def _without_storey_of_flat(tokens: list[Token]) -> list[Token]:
+    """Return the tokens without where the flat lies that is asked for: "two-bedroom ground floor flat"."""
+    for index in range(min(len(tokens) - 3, _OPENING)):
+        floor = tokens[index + 1].text in ("floor", "storey", "story", "level") and not tokens[index + 1].plural
+        where = tokens[index].text in ("ground", "top", "upper") or tokens[index].kind == "ordinal"
+        sized = index and tokens[index - 1].text in ("bed", "bedroom", "room")
+        if where and floor and sized and tokens[index + 2].text in ("flat", "apartment"):
+            return [*tokens[:index], *tokens[index + 2 :]]
+    return tokens
+
+
+_OPENING = 8
+"""Tokens from the start in which a brief names the flat that it is about."""
 
 
 def _is_sum(tokens: list[Token], index: int) -> bool:

@@ -201,6 +201,9 @@ class StoreyCounts:
             if level:
                 self._state(1, index, level)
                 return level
+        if word == "ground" and self._is_all_there_is(index):
+            self._state(1, index, index + 2)
+            return index + 2
         if word not in ("everything", "all", "wholly", "entirely") or reading.word(index + 1) not in ("on", "at", "in"):
             return index
         last = index + 2
@@ -245,6 +248,19 @@ class StoreyCounts:
         if value not in (1.0, 2.0, 3.0, 4.0) or value in named:
             return 0
         return max(int(value) - 1, 1)
+
+    def _is_all_there_is(self, index: int) -> bool:
+        """Whether "Ground floor, 250 m2." stands by itself in a brief that speaks of no other storey."""
+        reading = self.reading
+        texts = [token.text for token in reading.tokens]
+        storeys = [at for at, text in enumerate(texts) if text in FLOOR_WORDS]
+        others = {"upstairs", "upstair", "downstairs", "downstair", "basement", "cellar", "attic", "above", "below"}
+        if storeys != [index + 1] or not others.isdisjoint(texts) or any(t.kind == "level" for t in reading.tokens):
+            return False
+        at = index + 2
+        measured = reading.word(at) == "," and reading.kind(at + 1) == "number" and reading.kind(at + 2) == "unit"
+        closed = reading.breaks(at + 3) or reading.word(at + 3) == "," if measured else reading.breaks(at)
+        return closed and (reading.starts(index) or reading.word(index - 1) == ",")
 
     def _ground_and_next_only(self, index: int) -> int:
         """Return where "ground and first floor only" ends, or 0."""
