@@ -88,7 +88,8 @@ def _sizes_a_home(tokens: list[Token], index: int) -> bool:
         return False
     after = tokens[index + 1 : index + 2]
     counted = tokens[index - 1].kind == "number" and not tokens[index - 1].soft
-    return counted and bool(after) and after[0].text in _ONE_HOME and not after[0].plural
+    several = index > 1 and tokens[index - 2].kind == "number"  # "six two bedroom flats"
+    return counted and bool(after) and after[0].text in _ONE_HOME and (several or not after[0].plural)
 
 
 def _without_storey_of_flat(tokens: list[Token]) -> list[Token]:

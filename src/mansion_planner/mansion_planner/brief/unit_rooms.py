@@ -226,8 +226,20 @@ class UnitRooms:
         if reading.word(index) == "for" and reading.kind(index + 1) == "number" and reading.kind(index + 2) == "mark":
             index += 2  # "a dining room for 16,"
         index += reading.word(index) in _BESIDE and reading.word(index + 1) in (",", "and")
+        index = self._after_furniture(index)
         each = reading.word(index) in _STRONG and not self._room_at(index)
         return index + each, each
+
+    def _after_furniture(self, index: int) -> int:
+        """Return the token after the furniture that a room has: "a work area with three desks and an archive"."""
+        joints = ("with",)
+        while self.reading.word(index) in joints:
+            things = (p for p in self.phrases if p.head == "object" and 0 <= p.first - index - 1 <= 1)
+            thing = next(things, None)
+            if thing is None:
+                break
+            index, joints = thing.last, ("and", ",")
+        return index
 
     def _living_at(self, index: int) -> Phrase | None:
         """Return the living room of "open kitchen-living", which has no noun of its own."""
