@@ -142,7 +142,7 @@ def _is_bedroom(tokens: list[Token], index: int) -> bool:
     while at < len(tokens) and at - index < _SENTENCE and tokens[at].text not in (".", ";", "\n"):
         listed = tokens[at - 1].kind == "number" or tokens[at - 1].text in ("a", "one", "family", ",", "and", "+", "&")
         if tokens[at].text in _BATHS and listed:
-            return _text(tokens, index + 1) in (",", "(", "and", "&", "+", "/")
+            return _text(tokens, index + 1) in (",", "(", "and", "&", "+")
         if tokens[at].text in ("with", "room", "each", "per"):
             return False
         at += 1

@@ -77,8 +77,10 @@ def _is_shell(reading: Reading, phrases: list[Phrase]) -> bool:
 def _has_the_floor(reading: Reading, phrase: Phrase) -> bool:
     """Whether a phrase is the building in which the plan takes a storey: "second floor of a shopping arcade"."""
     lead = _before(reading, phrase)
+    opens = any(reading.starts(at) for at in range(max(lead - 4, 0), lead))
     return (
-        reading.word(lead) == "of"
+        opens
+        and reading.word(lead) == "of"
         and reading.word(lead - 1) in FLOOR_WORDS
         and not reading.plural(lead - 1)
         and reading.word(phrase.begin - 1) in ("a", "an")
