@@ -27,7 +27,7 @@ __all__ = [
 
 Head: TypeAlias = Literal["room", "building", "stair", "elevator", "object", "people", "unknown"]
 
-BARE_BUILDINGS = frozenset({"building", "complex", "place"})
+BARE_BUILDINGS = frozenset({"building", "complex", "place", "tower", "tower_block"})
 """Names of a building that say nothing of its use: its rooms do."""
 
 FUNCTION_WORDS = frozenset(

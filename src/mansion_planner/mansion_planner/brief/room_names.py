@@ -420,9 +420,12 @@ class _Entry:
         end = max((last for last in self.named.ends if last < self.begin), default=-1)
         thing = max((last for last in self.named.things if last < self.begin), default=-1)
         sized = all(
-            reading.kind(at) in ("number", "unit", "mark") or reading.word(at) in ("of", "each")
+            reading.kind(at) in ("number", "unit", "mark") or reading.word(at) in _OF_THE_ROOM_BEFORE
             for at in range(end, self.begin)
         )
+        between = reading.words(max(end, 0), self.begin)
+        beside = not _BESIDE_WORDS.isdisjoint(between) and len(between) < _NEAR
+        sized = sized or (beside and {"with", "has", "for", "and"}.isdisjoint(between))
         near = 0 <= end and reading.sentence[end - 1] == reading.sentence[self.begin] and self.begin - end <= _NEAR
         return near and thing < end and sized and not self._plural
 
@@ -472,6 +475,9 @@ def _has_measure(reading: Reading, end: int) -> bool:
     return reading.kind(index) == "number" and index in reading.taken and reading.kind(index + 1) == "unit"
 
 
+_OF_THE_ROOM_BEFORE = frozenset({"of", "each"})
+_BESIDE_WORDS = frozenset({"next", "beside", "adjacent", "adjoining", "touching", "near", "off", "behind"})
+"""Words that place the room before, in a list of rooms."""
 _NEAR = 12
 """Tokens between a room with its size and the next entry of a list, at most."""
 _BESIDE = frozenset({"beside", "between", "adjoining", "adjoin", "touching", "near", "by", "facing"})

@@ -47,6 +47,10 @@ def read_storeys(reading: Reading) -> list[Place]:
     return resolve_rest(places, floors)
 
 
+_MAY = frozenset({"can", "may", "could", "might"})
+"""Verbs of what is left open: one storey or the other, and not both."""
+
+
 def _ground_has_others(reading: Reading) -> bool:
     """Whether the ground floor holds something "instead": what is on every floor is then on the others."""
     words = [token.text for token in reading.tokens]
@@ -512,6 +516,8 @@ class _Scanner:
     def _is_quantifier(self, index: int) -> bool:
         """Whether a token tells of how many storeys something is said; in "90 m2 per floor" it belongs to the area."""
         words = ("every", "each", "all", "per", "both", "any", "either", "whole")
+        if self.reading.word(index) == "either" and not _MAY.isdisjoint(self.reading.words(max(index - 5, 0), index)):
+            return False  # "it can go on either storey"
         per_unit = self.reading.word(index) == "per" and self.reading.kind(index - 1) == "unit"
         return self.reading.word(index) in words and not per_unit
 
