@@ -270,7 +270,7 @@ class NamedStoreys:
             return True
         inside = reading.words(index - 2, index) == ("in", "the")
         opens = reading.starts(index - 2) or reading.word(index - 3) in (",", ";", "and")
-        goes_on = reading.word(index + 1) in ("a", "an", "are", "there", ",", "with") or self._counts(index + 1)
+        goes_on = reading.word(index + 1) in ("a", "an", "the", "are", "there", ",", "with") or self._counts(index + 1)
         others = [i for i, token in enumerate(reading.tokens) if token.text == reading.word(index) and i != index]
         return inside and ((opens and goes_on) or reading.word(index + 1) in CLOSERS) and not others
 
@@ -317,9 +317,16 @@ class NamedStoreys:
             return [FloorRef("upper")], index + 2
         if reading.words(index, index + 4) == ("all", "the", "way", "up") and reading.word(index + 4) in CLOSERS:
             return [FloorRef("upper")], index + 4
+        if word == "main" and following in FLOOR_WORDS and self._lies_between():
+            return [FloorRef("middle")], index + 2
         if word == "middle" and (following in FLOOR_WORDS or (following == "one" and self._names_storey(index + 1))):
             return [FloorRef("middle")], index + 2
         return ([FloorRef("middle")], index + 1) if self._is_middle(index) else None
+
+    def _lies_between(self) -> bool:
+        """Whether a storey at the bottom and one at the top are named beside the main one."""
+        texts = {token.text for token in self.reading.tokens}
+        return bool(texts & {"bottom", "lowest"}) and bool(texts & {"top", "uppermost"})
 
     def _upper_range(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "upper floors 2-4"."""

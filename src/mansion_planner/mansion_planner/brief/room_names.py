@@ -459,6 +459,8 @@ class _Entry:
         if word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS:
             return True
         single = self.end - self.begin == 1 or self.reading.word(self.begin) == "some"
+        if single and self._counted and word in PEOPLE_APART | PEOPLE:
+            return True  # "showers for 20 men and 10 women"
         if single and (self._counted or self._plural) and is_idle_word(word):
             return True  # "three generations", "some stay six months"
         if word in _WHOLES and PLAIN.issuperset(self.reading.words(self.begin, self.end - 1)):

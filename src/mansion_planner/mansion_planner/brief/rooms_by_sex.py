@@ -27,6 +27,11 @@ def rooms_by_sex(tokens: list[Token]) -> list[Token]:
     index = 0
     while index < len(tokens):
         token = tokens[index]
+        sexes = _sexes(tokens, index)
+        if sexes:
+            result += [*_noun_of(token), *_for_both(tokens[index + 1])]
+            index = sexes
+            continue
         either = _either(tokens, index) if token.text in _ROOMS or token.text == "room" else 0
         if either:
             result += [token, *_for_both(tokens[index + 1])]
@@ -52,6 +57,24 @@ def rooms_by_sex(tokens: list[Token]) -> list[Token]:
 
 def _text(tokens: list[Token], index: int) -> str:
     return tokens[index].text if 0 <= index < len(tokens) else ""
+
+
+def _sexes(tokens: list[Token], index: int) -> int:
+    """Return where "WC m/f" or "changing m+f" ends; 0 where nothing of the kind is said. "d" is for everybody."""
+    if tokens[index].text not in _ROOMS or tokens[index].plural:
+        return 0
+    pair = {_text(tokens, index + 1), _text(tokens, index + 3)}
+    if pair not in ({"m", "f"}, {"m", "w"}) or _text(tokens, index + 2) not in ("/", "+", "&", "and"):
+        return 0
+    others = _text(tokens, index + 4) == "/" and _text(tokens, index + 5) in ("d", "x")
+    return index + 4 + 2 * others
+
+
+def _noun_of(token: Token) -> list[Token]:
+    """Return the noun in the plural; "changing" and "locker" get theirs."""
+    if token.text not in ("changing", "locker"):
+        return [replace(token, plural=True)]
+    return [token, Token("word", "room", token.end, token.end, plural=True)]
 
 
 def _is_led(tokens: list[Token], index: int) -> bool:

@@ -61,7 +61,8 @@ def _is_seen(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> bool:
 def _is_client(reading: Reading, phrases: list[Phrase]) -> bool:
     """Whether the second phrase is whom the building is for: "office for a law chambers", "for an animation studio"."""
     whole, client = phrases[0], phrases[1]
-    led = reading.word(_before(reading, client)) == "for" and reading.word(client.begin - 1) in ("a", "an")
+    bare = bool(whole.building) and reading.word(client.begin - 1) == "for" and client.noun_end - client.begin == 1
+    led = reading.word(_before(reading, client)) == "for" and (bare or reading.word(client.begin - 1) in ("a", "an"))
     opens = client.first <= _OPENING and whole.last == _before(reading, client)
     plain = reading.word(whole.noun_end - 1) in _WHOLES
     return led and opens and not plain and reading.word(client.last) in _MARKS

@@ -152,7 +152,7 @@ class UnitRooms:
                 continue
             if self._room_at(index) is not None or not (word in _LINKS or word in _STRONG or word in _BETWEEN):
                 break
-            linked = linked or (word in _LINKS and not self._before_measure(index))
+            linked = linked or (word in _LINKS and (word == "(" or not self._before_measure(index)))
             of_area = word in _STRONG and reading.kind(index - 1) == "unit"
             of_storeys = index == start and reading.word(index + 1) in (",", "and")  # "five dorm rooms each and a gym"
             strong = strong or (word in _STRONG and not (of_area or of_storeys) and reading.word(index + 1) != ",")
