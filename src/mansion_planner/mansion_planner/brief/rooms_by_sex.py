@@ -27,7 +27,7 @@ def rooms_by_sex(tokens: list[Token]) -> list[Token]:
     index = 0
     while index < len(tokens):
         token = tokens[index]
-        sexes = _sexes(tokens, index)
+        sexes = _sexes(tokens, index) if token.kind == "word" else 0
         if sexes:
             result += [*_noun_of(token), *_for_both(tokens[index + 1])]
             index = sexes
@@ -61,13 +61,18 @@ def _text(tokens: list[Token], index: int) -> str:
 
 def _sexes(tokens: list[Token], index: int) -> int:
     """Return where "WC m/f" or "changing m+f" ends; 0 where nothing of the kind is said. "d" is for everybody."""
-    if tokens[index].text not in _ROOMS or tokens[index].plural:
+    room = tokens[index].text == "room" and _text(tokens, index - 1) in _KINDS
+    if not room and tokens[index].text not in _ROOMS:
         return 0
     pair = {_text(tokens, index + 1), _text(tokens, index + 3)}
     if pair not in ({"m", "f"}, {"m", "w"}) or _text(tokens, index + 2) not in ("/", "+", "&", "and"):
         return 0
     others = _text(tokens, index + 4) == "/" and _text(tokens, index + 5) in ("d", "x")
     return index + 4 + 2 * others
+
+
+_KINDS = frozenset({"changing", "locker", "wash", "shower", "rest", "toilet", "shower"})
+"""Words before "rooms" that are told apart by sex."""
 
 
 def _noun_of(token: Token) -> list[Token]:

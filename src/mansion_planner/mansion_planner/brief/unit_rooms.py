@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from mansion_planner.brief.persons import is_person
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.some_en_suite import bathroom_of_some
@@ -149,6 +150,9 @@ class UnitRooms:
                 continue
             if kind == "unit" or (kind == "number" and self._in_measure(index)):
                 index += 1
+                continue
+            if word == "for" and reading.kind(index + 1) == "number" and is_person(reading.word(index + 2)):
+                index += 3  # "an apartment for 6 persons (three bedrooms, two baths)"
                 continue
             if self._room_at(index) is not None or not (word in _LINKS or word in _STRONG or word in _BETWEEN):
                 break
