@@ -37,9 +37,7 @@ def _attic_end(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -
     if len(texts) < 4 or texts[0] != "ground" or texts[1] not in floor_words or texts[2] not in _JOINTS:
         return 0
     attic = 3 + (texts[3] in ("a", "an", "the"))
-    counted = any(
-        token.kind == "number" and tokens[at + 1].text in floor_words for at, token in enumerate(tokens[:-1])
-    )
+    counted = any(token.kind == "number" and tokens[at + 1].text in floor_words for at, token in enumerate(tokens[:-1]))
     if texts[attic : attic + 1] == [] or texts[attic] not in _ATTICS or counted:
         return 0
     return index + attic + 1 + (texts[attic + 1 : attic + 2] != [] and texts[attic + 1] in floor_words)

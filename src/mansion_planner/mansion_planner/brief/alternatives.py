@@ -1,4 +1,4 @@
-"""Choose where a brief leaves the choice: "either three bedrooms and a study or four bedrooms" has the first of them."""
+"""Choose where a brief leaves the choice: of "either three bedrooms and a study or four bedrooms" the first."""
 
 from mansion_language import Token
 

@@ -105,7 +105,13 @@ def read_counts_by_room(reading: Reading, phrases: list[Phrase]) -> None:
             phrases[earlier[-1]] = replace(phrases[earlier[-1]], count=counted[0].count, counted=True)
             phrases[number] = replace(phrase, counted=False, determiner="each")
             continue
-        if single and beside and len(counted) == 1 and phrase.determiner in ("a", "an", "one") and of_each.head == "room":
+        if (
+            single
+            and beside
+            and len(counted) == 1
+            and phrase.determiner in ("a", "an", "one")
+            and of_each.head == "room"
+        ):
             phrases[number] = replace(phrase, count=counted[0].count, counted=True)
             continue
         if not single or of_each.head != "room" or lead not in (("for", "each"), ("for", "every"), ("per",)):

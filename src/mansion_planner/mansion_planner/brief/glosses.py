@@ -5,7 +5,15 @@ from mansion_language import Token
 __all__ = ["without_glosses"]
 
 _ENDS = frozenset({".", ";", "\n", "!", "?"})
-_MEANING = (("mean",), ("means",), ("stand", "for"), ("stands", "for"), ("refer", "to"), ("refers", "to"), ("here", "is"))
+_MEANING = (
+    ("mean",),
+    ("means",),
+    ("stand", "for"),
+    ("stands", "for"),
+    ("refer", "to"),
+    ("refers", "to"),
+    ("here", "is"),
+)
 _COPULAS = frozenset({"is", "are"})
 _ARTICLES = frozenset({"the", "a", "an", "that", "this", "our"})
 _NO_SUBJECT = _ARTICLES | {"here", "word", "term", "by"}
@@ -95,7 +103,9 @@ def _purpose(tokens: list[Token], index: int) -> int:
     """Return of how many tokens "for the nurses to sit in" is after a room that has a name of its own; else 0."""
     if tokens[index].text != "for" or index < 2:
         return 0
-    bare = tokens[index - 1].text in _PLACES and (tokens[index - 2].text in _ARTICLES or tokens[index - 2].kind != "word")
+    bare = tokens[index - 1].text in _PLACES and (
+        tokens[index - 2].text in _ARTICLES or tokens[index - 2].kind != "word"
+    )
     if bare:
         return 0
     person = index + 1 + (_texts(tokens, index + 1, index + 2) in (("the",), ("our",)))

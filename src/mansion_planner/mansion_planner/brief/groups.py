@@ -12,7 +12,9 @@ from mansion_planner.brief.room_users import one_of
 
 __all__ = ["groups_of_rooms", "named_again"]
 
-_NOUNS = frozenset({"household", "group", "department", "practice", "section", "wing", "pod", "team", "unit", "family", "station"})
+_NOUNS = frozenset(
+    {"household", "group", "department", "practice", "section", "wing", "pod", "team", "unit", "family", "station"}
+)
 _SHARING = frozenset({"each", "every", "per"})
 _PARTS = frozenset({"with", "has", "have", "contain", "comprise", "get", ":", "consist", "include", "of", "having"})
 """Words that lead from a group to its rooms."""
@@ -92,8 +94,6 @@ def named_again(reading: Reading, group: list[Phrase]) -> list[Phrase]:
             end = index + len(words)
             if reading.words(index, end) == words and reading.tokens[index].capital and reading.free(index, end):
                 found.append(
-                    replace(
-                        room, first=index, begin=index, noun_end=end, last=end, counted=False, determiner="the"
-                    )
+                    replace(room, first=index, begin=index, noun_end=end, last=end, counted=False, determiner="the")
                 )
     return found

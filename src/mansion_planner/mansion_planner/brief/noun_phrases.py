@@ -9,6 +9,7 @@ from dataclasses import replace
 from mansion_planner.brief.figurative_nouns import is_figurative, is_modifier
 from mansion_planner.brief.furniture_words import furniture_of, own_furniture_of
 from mansion_planner.brief.lexicon import Mention, lexicon_of
+from mansion_planner.brief.list_entries import listed_unknowns
 from mansion_planner.brief.own_names import by_own_name, with_own_names
 from mansion_planner.brief.phrase import (
     FUNCTION_WORDS,
@@ -24,14 +25,7 @@ from mansion_planner.brief.phrase import (
 )
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.repeated_names import further_ones
-from mansion_planner.brief.room_names import (
-    coordinated,
-    designated_nouns,
-    listed_unknowns,
-    with_designators,
-    with_purpose,
-    with_sizes,
-)
+from mansion_planner.brief.room_names import coordinated, designated_nouns, with_designators, with_purpose, with_sizes
 from mansion_planner.brief.room_users import with_users, with_users_before
 from mansion_planner.brief.rooms_named_again import room_by_its_contents, rooms_named_again
 from mansion_planner.brief.rooms_of_staff import OFFICE_HOLDERS, with_rooms_of_staff

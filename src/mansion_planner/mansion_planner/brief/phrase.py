@@ -386,7 +386,12 @@ def _is_bare_count(reading: Reading, index: int) -> bool:
     counts = reading.kind(index) == "number" and index not in reading.taken and is_whole_count(reading.value(index))
     if not counts or not reading.plural(index - 1) or _counts_places(reading, index - 1):
         return False
-    shared = reading.words(index + 1, index + 3) in (("on", "each"), ("on", "every"), ("per", "floor"), ("per", "storey"))
+    shared = reading.words(index + 1, index + 3) in (
+        ("on", "each"),
+        ("on", "every"),
+        ("per", "floor"),
+        ("per", "storey"),
+    )
     return shared or (reading.value(index) <= _MOST_BEHIND and _is_closed(reading, index + 1))
 
 
@@ -396,8 +401,10 @@ _MOST_BEHIND = 40
 
 def _is_closed(reading: Reading, index: int) -> bool:
     """Whether an entry of a list ends at a token, and no range of numbers goes on."""
-    return reading.breaks(index) or reading.word(index) in (")", ";") or (
-        reading.word(index) == "," and reading.kind(index + 1) != "number"
+    return (
+        reading.breaks(index)
+        or reading.word(index) in (")", ";")
+        or (reading.word(index) == "," and reading.kind(index + 1) != "number")
     )
 
 

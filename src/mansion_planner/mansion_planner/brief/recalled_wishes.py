@@ -49,7 +49,7 @@ def _recall(sentence: list[Token]) -> int | None:
     tail = next((at for at in range(verb, len(texts)) if texts[at] in (",", "but", "now")), len(texts))
     given_up = _gives_up(texts[tail:])
     enough = texts[-2:] == ["is", "enough"] or texts[-2:] == ["are", "enough"]
-    return verb if tail == len(texts) and verb != 3 or given_up or enough else None
+    return verb if (tail == len(texts) and verb != 3) or given_up or enough else None
 
 
 def _gives_up(texts: list[str]) -> bool:

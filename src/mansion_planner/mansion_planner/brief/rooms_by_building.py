@@ -113,9 +113,8 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, room_type="laboratory", known=True)
     if family == "health" and words[-1] in ("theatre", "theater") and phrase.room_type == "auditorium":
         return replace(phrase, head="room", building="", room_type="operating_room", known=True)
-    if family == "lodging" and len(words) > 1 and words[-1] == "room" and phrase.room_type in _NOT_SLEPT_IN and phrase.counted:
-        if phrase.name == "private_room" or (phrase.count or 0) >= _MANY:
-            return replace(phrase, room_type="hotel_room", known=True)  # a crew hotel's crew rooms
+    if family == "lodging" and len(words) > 1 and words[-1] == "room" and _is_slept_in(phrase):
+        return replace(phrase, room_type="hotel_room", known=True)  # a crew hotel's crew rooms
     if family == "sport" and words[-2:] == ["shower", "room"] and not phrase.building:
         return replace(phrase, room_type="shower_area")
     if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:
@@ -133,6 +132,12 @@ _GROWN = frozenset(
     {"grandparent", "grandmother", "grandfather", "grandma", "grandpa", "nanny", "mother", "father", "aunt", "uncle"}
 )
 """Members of a family who have a room of their own in a home."""
+
+
+def _is_slept_in(phrase: Phrase) -> bool:
+    """Whether rooms of a hotel that nobody knows are those that it is for."""
+    many = phrase.name == "private_room" or (phrase.count or 0) >= _MANY
+    return phrase.room_type in _NOT_SLEPT_IN and phrase.counted and many
 
 
 _NOT_SLEPT_IN = frozenset({"break_room", "vip_room", "study_room"})

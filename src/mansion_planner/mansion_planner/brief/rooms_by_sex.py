@@ -6,7 +6,7 @@ from mansion_language import Token
 
 __all__ = ["rooms_by_sex"]
 
-_ROOMS = frozenset({"wc", "toilet", "restroom", "washroom", "lavatory", "shower", "changing", "locker", "lavatory"})
+_ROOMS = frozenset({"wc", "toilet", "restroom", "washroom", "lavatory", "shower", "changing", "locker"})
 _SEXES = {
     "m": "man", "f": "woman", "w": "woman", "male": "man", "female": "woman", "ladies": "lady", "lady": "lady",
     "gents": "gent", "gent": "gent", "men": "man", "man": "man", "women": "woman", "woman": "woman",
@@ -42,9 +42,6 @@ def rooms_by_sex(tokens: list[Token]) -> list[Token]:
         elif token.text in ("accessible", "disabled") and _is_bare_one(tokens, index):
             result += [replace(token, text="accessible"), Token("word", "toilet", token.end, token.end)]
             index += 1
-        elif token.text == "w" and _text(tokens, index - 1) == "/" and _text(tokens, index - 2) == "m":
-            result.append(replace(token, text="f"))
-            index += 1
         elif _is_led(tokens, index):
             user = tokens[index + 1]
             result += [replace(user, text=_SEXES[user.text], kind="word"), token]
@@ -64,14 +61,22 @@ def _sexes(tokens: list[Token], index: int) -> int:
     room = tokens[index].text == "room" and _text(tokens, index - 1) in _KINDS
     if not room and tokens[index].text not in _ROOMS:
         return 0
-    pair = {_text(tokens, index + 1), _text(tokens, index + 3)}
+    pair = {_letter(tokens, index + 1), _letter(tokens, index + 3)}
     if pair not in ({"m", "f"}, {"m", "w"}) or _text(tokens, index + 2) not in ("/", "+", "&", "and"):
         return 0
     others = _text(tokens, index + 4) == "/" and _text(tokens, index + 5) in ("d", "x")
     return index + 4 + 2 * others
 
 
-_KINDS = frozenset({"changing", "locker", "wash", "shower", "rest", "toilet", "shower"})
+def _letter(tokens: list[Token], index: int) -> str:
+    """Return a word of one letter as it is written: "w", which is "with" elsewhere."""
+    if index >= len(tokens):
+        return ""
+    token = tokens[index]
+    return "w" if token.text == "with" and token.end - token.start == 1 else token.text
+
+
+_KINDS = frozenset({"changing", "locker", "wash", "shower", "rest", "toilet"})
 """Words before "rooms" that are told apart by sex."""
 
 

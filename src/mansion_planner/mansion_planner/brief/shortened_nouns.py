@@ -35,7 +35,11 @@ def shortened_nouns(tokens: list[Token]) -> list[Token]:
             continue
         result.append(replace(token, text=_WRITTEN_OUT.get(token.text, token.text)))
         if token.text in _SUM_MARKS and _is_sum(tokens, index):
-            result[-1] = Token("word", "has", token.start, token.end) if token.text == "=" else replace(token, kind="word", text="and")
+            result[-1] = (
+                Token("word", "has", token.start, token.end)
+                if token.text == "="
+                else replace(token, kind="word", text="and")
+            )
             continue
         if _sizes_a_home(tokens, index):
             result[-1] = replace(token, spaced=False)
@@ -117,7 +121,7 @@ def _is_sum(tokens: list[Token], index: int) -> bool:
 
 
 def _is_of_suite(tokens: list[Token], index: int) -> bool:
-    """Whether a bedroom, or the mark after it, is what "each suite = bedroom + bathroom" opens with: it is the suite."""
+    """Whether a bedroom, or the mark after it, opens "each suite = bedroom + bathroom": it is the suite itself."""
     at = index - (tokens[index].text in ("+", ","))
     bedroom = at >= 2 and tokens[at].text == "bedroom" and tokens[at - 1].text in ("=", "has", "with", "of")
     suites = any(token.text == "bedroom" and _text(tokens, k + 1) == "suite" for k, token in enumerate(tokens[:at]))
@@ -125,7 +129,9 @@ def _is_of_suite(tokens: list[Token], index: int) -> bool:
 
 
 _BATHS = frozenset({"bath", "bathroom", "ba", "ensuite", "shower", "wc"})
-_BEFORE_ROOMS = frozenset({"", ":", ",", "upstairs", "upstair", "downstairs", "downstair", "up", ".", "\n", ";", "-", "("})
+_BEFORE_ROOMS = frozenset(
+    {"", ":", ",", "upstairs", "upstair", "downstairs", "downstair", "up", ".", "\n", ";", "-", "("}
+)
 _SENTENCE = 24
 """Tokens in which the bathroom is looked for that is listed beside "3 beds"."""
 

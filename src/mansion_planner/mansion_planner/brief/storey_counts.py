@@ -8,13 +8,13 @@ from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storeys_below import storeys_below
+from mansion_planner.brief.whole_storeys import all_on_one, attic_above
 
 __all__ = [
     "ANAPHORS",
     "CLOSERS",
     "DEFINITE",
     "HOLDING",
-    "HOLDING_ROOMS",
     "STOREY_ADJECTIVES",
     "UPSTAIRS",
     "StoreyCounts",
@@ -48,10 +48,6 @@ _WITH_BASEMENT = (
     *((joint, number) for joint in ("and", "plus", ",") for number in ("a", "one")),
     ("with", "cellar"), ("with", "basement"),
 )  # fmt: skip
-HOLDING_ROOMS = frozenset(
-    {":", "is", "hold", "holds", "has", "contain", "contains", "become", "becomes", "get", "gets", "house", "houses"}
-)
-"""What follows an attic that is a storey with rooms."""
 CLOSERS = frozenset({"", ".", ",", ";", ":", "\n", ")", "!", "?", "=", "-"})
 
 
@@ -68,11 +64,6 @@ class _Count:
     def with_the_first(self) -> float:
         """The number with the ground floor: "two upper floors" and "two more floors" leave it out."""
         return self.value + (not {"upper", "additional", "more"}.isdisjoint(self.adjectives))
-
-
-_LEVEL = frozenset((ground, noun) for ground in ("ground", "street") for noun in ("level", "floor"))
-_POINTING = frozenset({"that", "this", "same"})
-"""What follows "all" where everything is on one storey: "all ground level"."""
 
 
 class StoreyCounts:
@@ -193,24 +184,14 @@ class StoreyCounts:
         ):
             self._state(1, index, index + 3)
             return index + 3
-        if word == "all" and reading.words(index + 1, index + 3) in _LEVEL and reading.word(index + 3) in CLOSERS:
-            self._state(1, index, index + 3)
-            return index + 3
-        if word == "all" and reading.word(index + 1) == "level" and reading.starts(index):
-            level = index + 2 if reading.breaks(index + 2) else 0  # "All level."
-            if level:
-                self._state(1, index, level)
-                return level
-        if word == "ground" and self._is_all_there_is(index):
-            self._state(1, index, index + 2)
-            return index + 2
+        level = all_on_one(reading, index)
+        if level:
+            self._state(1, index, level)
+            return level
         if word not in ("everything", "all", "wholly", "entirely") or reading.word(index + 1) not in ("on", "at", "in"):
             return index
         last = index + 2
         last += reading.word(last) in ("the", "a")
-        if reading.word(last) in _POINTING and reading.word(last + 1) in FLOOR_WORDS and not reading.facts.floors:
-            self._state(1, index, last + 2)
-            return last + 2
         grade = reading.word(last) == "grade"
         ground = reading.word(last) == "ground" and (
             reading.word(last + 1) in CLOSERS or reading.word(last + 1) in ("floor", "level")
@@ -248,19 +229,6 @@ class StoreyCounts:
         if value not in (1.0, 2.0, 3.0, 4.0) or value in named:
             return 0
         return max(int(value) - 1, 1)
-
-    def _is_all_there_is(self, index: int) -> bool:
-        """Whether "Ground floor, 250 m2." stands by itself in a brief that speaks of no other storey."""
-        reading = self.reading
-        texts = [token.text for token in reading.tokens]
-        storeys = [at for at, text in enumerate(texts) if text in FLOOR_WORDS]
-        others = {"upstairs", "upstair", "downstairs", "downstair", "basement", "cellar", "attic", "above", "below"}
-        if storeys != [index + 1] or not others.isdisjoint(texts) or any(t.kind == "level" for t in reading.tokens):
-            return False
-        at = index + 2
-        measured = reading.word(at) == "," and reading.kind(at + 1) == "number" and reading.kind(at + 2) == "unit"
-        closed = reading.breaks(at + 3) or reading.word(at + 3) == "," if measured else reading.breaks(at)
-        return closed and (reading.starts(index) or reading.word(index - 1) == ",")
 
     def _ground_and_next_only(self, index: int) -> int:
         """Return where "ground and first floor only" ends, or 0."""
@@ -415,7 +383,7 @@ class StoreyCounts:
 
     def _attic_over_them(self, count: _Count) -> int:
         """Read "2 full floors + attic"."""
-        last = self._attic_above(count.last)
+        last = attic_above(self.reading, count.last)
         if last:
             self._state(count.value + 1, count.first, last)
         return last
@@ -465,23 +433,6 @@ class StoreyCounts:
                 outside = reading.word(end) in ("ground", "grade", "street")
                 return None if outside or reading.words(end, end + 2) == ("the", "ground") else (at, end)
         return None
-
-    def _attic_above(self, last: int) -> int:
-        """Return where "2 full floors + attic" ends, where the brief goes on about what is in the attic; or 0."""
-        reading = self.reading
-        if reading.word(last) not in ("+", "plus", "and"):
-            return 0
-        end = last + 1 + (reading.word(last + 1) in ("a", "an", "the"))
-        if reading.word(end) not in ("attic", "loft"):
-            return 0
-        texts = [token.text for token in reading.tokens]
-        headed = any(
-            (word == "top" and after == "floor") or (word in ("attic", "loft") and after in HOLDING_ROOMS)
-            for word, after in zip(texts[end + 1 :], texts[end + 2 :], strict=False)
-        )
-        storey = reading.word(end + 1) in FLOOR_WORDS
-        within = any(tuple(texts[at : at + 3]) == ("in", "the", texts[end]) for at in range(end + 1, len(texts)))
-        return end + 1 + storey if headed or storey or within else 0
 
     def _storey_below(self) -> int:
         """Return the storey that "above it" counts from: the last one named, else the first; 0 if not numbered."""

@@ -22,13 +22,15 @@ def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     phrase = phrases[number]
     if phrase.name in _STATES and reading.word(phrase.first - 1) in ("for", "in", "of") and not phrase.counted:
         return True
+    if number == 1 and not phrase.counted and _is_client(reading, phrases):
+        return True
     if not (phrase.building or phrase.room_type) or phrase.counted or phrase.plural:
         return False
     return (
         (bool(phrase.building) and _is_away(reading, phrase))
         or (number > 0 and _is_predicate(reading, phrase))
         or _is_seen(reading, phrases, phrase)
-        or (number == 1 and (_is_client(reading, phrases) or _is_shell(reading, phrases)))
+        or (number == 1 and _is_shell(reading, phrases))
         or (number > 0 and bool(phrase.building) and _has_the_floor(reading, phrase))
     )
 

@@ -118,7 +118,9 @@ def _total_of_each(tokens: list[Token], index: int) -> int:
     first = index
     while first > 0 and tokens[first - 1].text not in (".", "\n", "!", "?"):
         first -= 1
-    said = {token.text for token in tokens[max(first - 1, 0) : index]} | {_word(tokens, at) for at in range(first)[-40:]}
+    said = {token.text for token in tokens[max(first - 1, 0) : index]} | {
+        _word(tokens, at) for at in range(first)[-40:]
+    }
     shared = not {"each", "every", "per", "both"}.isdisjoint(said)
     bare = _word(tokens, number - 1) == "so" and at == number + 1 and _word(tokens, at) in _ENDS | {""}
     if not shared or not (total or bare):

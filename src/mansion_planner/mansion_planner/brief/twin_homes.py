@@ -38,7 +38,9 @@ def twin_homes(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token
     if given is None:
         return tokens
     opened, begin, end = given
-    house = tokens[noun] if first == noun else replace(tokens[noun], text="house", plural=False, start=tokens[first].start)
+    house = (
+        tokens[noun] if first == noun else replace(tokens[noun], text="house", plural=False, start=tokens[first].start)
+    )
     between = _with_all_areas(_without_sides(tokens[noun + 1 : opened]), many)
     link = (
         []

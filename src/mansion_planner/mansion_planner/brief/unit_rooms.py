@@ -236,7 +236,7 @@ class UnitRooms:
 
     def _after_furniture(self, index: int) -> int:
         """Return the token after the furniture that a room has: "a work area with three desks and an archive"."""
-        joints = ("with",)
+        joints: tuple[str, ...] = ("with",)
         while self.reading.word(index) in joints:
             things = (p for p in self.phrases if p.head == "object" and 0 <= p.first - index - 1 <= 1)
             thing = next(things, None)

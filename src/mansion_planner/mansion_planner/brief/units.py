@@ -261,7 +261,9 @@ class _Units:
             return False  # "six bedroom suites; each suite has a dressing room"
         several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
         if phrase.room_type in LODGINGS or phrase.room_type in ("team_room", "common_room"):
-            generic = phrase.determiner in ("a", "an", "one") and phrase.room_type == "common_room" and self._tells(phrase)
+            generic = (
+                phrase.determiner in ("a", "an", "one") and phrase.room_type == "common_room" and self._tells(phrase)
+            )
             own = phrase.head == "room" and (phrase.plural or phrase.determiner in ALL or generic)
             parts = _PARTS_OF_HOMES if self._is_home() else frozenset[str]()
             return own and (phrase.room_type in LODGINGS or phrase.name.rpartition("_")[2] in _NOUNS.keys() | parts)
