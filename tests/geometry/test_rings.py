@@ -12,6 +12,7 @@ from mansion_geometry.rings import (
     dominant_angle,
     largest_polygon,
     oriented,
+    points_inside_ring,
     rotated,
     signed_area,
 )
@@ -63,3 +64,9 @@ def test_rotation_by_zero_keeps_every_bit() -> None:
     assert rotated(ring, 0.0) == ring
     back = rotated(rotated(ring, 0.7), -0.7)
     assert np.allclose(back, ring)
+
+
+def test_points_in_a_ring_are_told_apart_at_once() -> None:
+    notched = [(0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (1.0, 1.0), (1.0, 4.0), (0.0, 4.0)]
+    xs, ys = np.array([0.5, 3.0, 3.0, 0.5, -1.0]), np.array([0.5, 0.5, 3.0, 3.0, 0.5])
+    assert points_inside_ring(notched, xs, ys).tolist() == [True, True, False, True, False]

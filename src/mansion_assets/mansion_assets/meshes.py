@@ -14,6 +14,7 @@ from mansion_assets.convex import Box, Convex, fitted
 from mansion_assets.glb_meshes import glb_joints, glb_parts, glb_pieces
 from mansion_assets.joints import Joint
 from mansion_assets.materials.sets import material_set, set_of
+from mansion_assets.mesh_cache import PartArrays, kept_parts, kept_pieces
 from mansion_assets.piece_budget import simplified
 from mansion_assets.registry import recipe_named
 from mansion_assets.texture_coordinates import box_coordinates, fitted_coordinates
@@ -71,10 +72,20 @@ def mesh(asset: Asset) -> list[MeshPart]:
     """
     if asset.glb is not None:
         return glb_parts(asset)
-    return _parts([(piece, [c for c in piece.chunks if not c.hidden]) for piece in _built(_look(asset)).pieces])
+    look = _look(asset)
+    return _in_materials(kept_parts(asset.recipe, look.payload, lambda: _shown(look)))
 
 
-def _parts(pieces: Sequence[tuple[Piece, Sequence[Chunk]]]) -> list[MeshPart]:
+def _shown(look: _Look) -> list[PartArrays]:
+    """Return what is seen of a look while it is closed."""
+    return _parts([(piece, [c for c in piece.chunks if not c.hidden]) for piece in _built(look).pieces])
+
+
+def _in_materials(parts: Sequence[PartArrays]) -> list[MeshPart]:
+    return [MeshPart(p.name, p.vertices, p.faces, material(p.material), p.coordinates) for p in parts]
+
+
+def _parts(pieces: Sequence[tuple[Piece, Sequence[Chunk]]]) -> list[PartArrays]:
     found = []
     for piece, chunks in pieces:
         if chunks:
@@ -83,7 +94,7 @@ def _parts(pieces: Sequence[tuple[Piece, Sequence[Chunk]]]) -> list[MeshPart]:
             faces = np.concatenate([chunk.faces + start for chunk, start in zip(chunks, starts)])
             bodies = np.cumsum([0] + [len(chunk.faces) for chunk in chunks[:-1]])
             coordinates = _coordinates(piece.material, vertices, faces, bodies)
-            found.append(MeshPart(piece.part, vertices, faces, material(piece.material), coordinates))
+            found.append(PartArrays(piece.part, piece.material, vertices, faces, coordinates))
     return found
 
 
@@ -116,6 +127,10 @@ def collision_pieces(asset: Asset) -> tuple[Convex, ...]:
 
 @lru_cache(maxsize=256)
 def _closed_pieces(look: _Look) -> tuple[Convex, ...]:
+    return kept_pieces(look.asset.recipe, look.payload, lambda: _simplified(look))
+
+
+def _simplified(look: _Look) -> tuple[Convex, ...]:
     asset = look.asset
     bodies = [body.shape for body in _built(look).bodies if not body.hidden]
     return tuple(simplified(bodies, asset.size, free_room(asset)))
@@ -153,7 +168,7 @@ def _linked(look: _Look) -> tuple[Link, ...]:
     found = []
     for joint in (None, *built.joints):
         name = "" if joint is None else joint.part
-        parts = _parts([(piece, [c for c in piece.chunks if c.link == name]) for piece in built.pieces])
+        parts = _in_materials(_parts([(piece, [c for c in piece.chunks if c.link == name]) for piece in built.pieces]))
         bodies = [body.shape for body in built.bodies if body.link == name]
         found.append(Link(name, tuple(parts), tuple(simplified(bodies, asset.size, room)), joint))
     return tuple(found)

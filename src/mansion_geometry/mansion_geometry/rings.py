@@ -11,12 +11,15 @@ from numpy.typing import NDArray
 from shapely.geometry import MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
+from mansion_geometry.compiled import Bools, Floats
+
 __all__ = [
     "as_polygon",
     "corner_points",
     "dominant_angle",
     "largest_polygon",
     "oriented",
+    "points_inside_ring",
     "polygon_parts",
     "ring_of",
     "rotated",
@@ -24,6 +27,17 @@ __all__ = [
 ]
 
 Points = Sequence[Sequence[float]] | NDArray[np.float64]
+
+
+def points_inside_ring(ring: Points, xs: Floats, ys: Floats) -> Bools:
+    """Return whether each of many points, by its x and y, lies in a ring (even-odd rule)."""
+    inside: Bools = np.zeros(len(xs), dtype=bool)
+    ax, ay = ring[-1]
+    for bx, by in ring:
+        if ay != by:
+            inside ^= ((ay > ys) != (by > ys)) & (xs < ax + (ys - ay) * (bx - ax) / (by - ay))
+        ax, ay = bx, by
+    return inside
 
 
 def signed_area(ring: Points) -> float:

@@ -98,8 +98,12 @@ def load_knowledge(folders: Sequence[Path] = ()) -> KnowledgeBase:
     -----
     Cached for each tuple of folders; a knowledge base is not written to.
     """
-    named = [Path(name) for name in os.environ.get(FOLDERS, "").split(os.pathsep) if name]
-    return _load((*named, *folders))
+    return _load((*_named(os.environ.get(FOLDERS, "")), *folders))
+
+
+@lru_cache(maxsize=8)
+def _named(listed: str) -> tuple[Path, ...]:
+    return tuple(Path(name) for name in listed.split(os.pathsep) if name)
 
 
 @lru_cache(maxsize=8)

@@ -156,7 +156,7 @@ def test_settings_and_owners_of_a_building_are_not_told(text: str) -> None:
     [
         ("turbine hall", False),
         ("ballet hall", False),
-        ("milking parlour", False),
+        ("wrestling parlour", False),
         ("pottery workshop", False),
         ("assembly hall", True),
         ("concert hall", True),

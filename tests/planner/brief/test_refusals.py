@@ -35,7 +35,7 @@ def test_what_is_excluded_waived_or_outside_the_programme_is_not_wanted(words: s
 @pytest.mark.parametrize(
     ("words", "kind"),
     [
-        ("A terrace, one has discussed it a lot, but finally no.", "roof_terrace"),
+        ("A terrace, one has discussed it a lot, but finally no.", "terrace"),
         ("My uncle suggested a bar, but in the end no.", "bar"),
         ("The pool exists already outside, so inside don't put any.", "indoor_pool"),
         ("As for a gym, we walk in the hills, so there will not be one.", "gym"),
@@ -81,7 +81,7 @@ def test_furniture_is_refused_like_a_room(words: str, category: str) -> None:
     ("words", "kind"),
     [
         ("The bar is not to be placed next to the lobby.", "bar"),
-        ("Finally a terrace.", "roof_terrace"),
+        ("Finally a terrace.", "terrace"),
         ("Not only a restaurant.", "restaurant"),
         ("The bar we won't put next to the lobby.", "bar"),
         ("The gym is excluded from the tour.", "gym"),

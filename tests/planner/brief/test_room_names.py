@@ -27,7 +27,7 @@ def rooms(text: str) -> dict[str, RoomFact]:
         ("Gym with changing rooms for men and for women.", {"man_changing_room", "woman_changing_room"}),
         ("Mosque with an ablution room for men and another for women.", {"man_ablution_room", "woman_ablution_room"}),
         ("Film house with a live room, a make-up room and a touch pool room.",
-         {"live_room", "make_up_room", "touch_pool_room"}),
+         {"live_room", "makeup_room", "touch_pool_room"}),
         ("Institute with two BSL-3 laboratories.", {"bsl_3_laboratory"}),
         ("We need a company building with the office of the director and a gym.", {"director_office", "gym"}),
     ],

@@ -306,7 +306,7 @@ def test_the_noun_of_an_outline_belongs_to_it(form: str) -> None:
     [
         ("A police station with a custody suite.", "holding_cell"),
         ("A hotel with a bridal suite.", "hotel_suite"),
-        ("A monastery with twelve cells.", "bedroom"),
+        ("A monastery with twelve cells.", "dorm_room"),
         ("A police station with twelve cells.", "holding_cell"),
         ("A museum with one big hall.", "assembly_hall"),
         ("A dental practice with four surgeries.", "dental_room"),

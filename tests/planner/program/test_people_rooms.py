@@ -83,3 +83,39 @@ def test_a_storey_of_a_hotel_is_filled_with_one_lounge_at_most() -> None:
 def test_a_building_for_few_people_has_few_storeys(brief: str, storeys: int) -> None:
     program = plan_building(BuildRequest(description=brief, seed=3)).program
     assert len(program.floors) == storeys
+
+
+@pytest.mark.parametrize(
+    "brief", ["a flat with a guest room", "a house for a couple with a home cinema and a guest room"]
+)
+def test_those_who_live_in_a_home_with_a_guest_room_have_a_bedroom(brief: str) -> None:
+    kinds = [room.room_type for room in rooms(planned(brief))]
+    assert kinds.count("guest_room") == 1
+    assert {"bedroom", "master_bedroom"} & set(kinds)
+
+
+def test_a_kitchen_diner_is_the_place_to_dine_unless_a_dining_room_is_asked_for() -> None:
+    without = [room.room_type for room in rooms(planned("a house with a kitchen diner"))]
+    both = [room.room_type for room in rooms(planned("a house with a kitchen diner and a dining room"))]
+    assert ("dining_room" in without, "dining_room" in both) == (False, True)
+
+
+@pytest.mark.parametrize(
+    ("brief", "count"),
+    [("a house for six students", 6), ("a flat for two roommates", 2), ("a house for a family of four", 3)],
+)
+def test_people_who_share_a_home_have_a_bedroom_each_and_parents_one_together(brief: str, count: int) -> None:
+    kinds = [room.room_type for room in rooms(planned(brief))]
+    assert sum(kind in ("bedroom", "master_bedroom") for kind in kinds) == count
+
+
+def test_a_home_with_a_shared_kitchen_has_no_other_beside_it() -> None:
+    kinds = [room.room_type for room in rooms(planned("a house for six students with a shared kitchen"))]
+    assert [kind for kind in kinds if "kitchen" in kind] == ["shared_kitchen"]
+
+
+def test_an_office_is_as_large_as_its_desks_need() -> None:
+    small = planned("an office with 20 workstations and a meeting room")
+    assert len(small.floors) == 1
+    assert small.floors[0].gross_floor_area < 450.0
+    assert len(planned("an office with 50 desks").floors) == 2

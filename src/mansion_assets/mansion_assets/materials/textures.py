@@ -2,10 +2,8 @@
 
 import hashlib
 import io
-import os
 from functools import cache
 from importlib.resources import files
-from pathlib import Path
 from pkgutil import resolve_name
 from typing import Any
 
@@ -16,9 +14,9 @@ import numpy.typing as npt
 from mansion_assets.materials.canvas import Canvas
 from mansion_assets.materials.layers import Layers
 from mansion_assets.materials.sets import MaterialSet, material_set
+from mansion_assets.user_cache import cache_folder, kept
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.codec import prepared
-from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.late_imports import importing
 
 __all__ = ["TextureSet", "draw", "texture_set"]
@@ -74,17 +72,8 @@ def texture_set(name: str) -> TextureSet:
     by a hash of what determines them: the set's data and the code of the procedures.
     """
     chosen = material_set(name)
-    file = _cache_folder() / f"{name}_{_fingerprint(name, chosen)}.set"
-    try:
-        return msgspec.msgpack.decode(file.read_bytes(), type=prepared(TextureSet))
-    except (OSError, msgspec.MsgspecError):
-        made = _encoded(chosen, draw(name))
-    try:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        write_atomic(file, msgspec.msgpack.encode(made))
-    except OSError:
-        pass
-    return made
+    file = cache_folder("materials", "MANSION_MATERIALS_CACHE") / f"{name}_{_fingerprint(name, chosen)}.set"
+    return kept(file, prepared(TextureSet), lambda: _encoded(chosen, draw(name)))
 
 
 def draw(name: str) -> Layers:
@@ -94,11 +83,6 @@ def draw(name: str) -> Layers:
         procedure: Any = resolve_name(f"mansion_assets.materials.families.{chosen.procedure.replace('.', ':')}")
     layers: Layers = procedure(Canvas(name, chosen.size, chosen.pixels), **chosen.parameters)
     return layers
-
-
-def _cache_folder() -> Path:
-    home = Path(os.environ.get("XDG_CACHE_HOME") or "~/.cache") / "mansion" / "materials"
-    return Path(os.environ.get("MANSION_MATERIALS_CACHE") or home).expanduser()
 
 
 def _fingerprint(name: str, chosen: MaterialSet) -> str:

@@ -145,6 +145,9 @@ def merge_surfaces(surfaces: Iterable[Surface]) -> tuple[Surface, ...]:
             groups.setdefault(surface.material, []).append(surface)
     merged = []
     for material, parts in groups.items():
+        if len(parts) == 1:
+            merged.append(parts[0])
+            continue
         offsets = np.cumsum([0] + [len(part.vertices) for part in parts[:-1]])
         vertices = np.concatenate([part.vertices for part in parts])
         faces = np.concatenate([part.faces + start for part, start in zip(parts, offsets)])

@@ -227,11 +227,11 @@ def _outside(node: Node, inner: set[str]) -> bool:
 
 def _turned(triangles: Triangles, turns: int) -> Triangles:
     """Return triangles turned by quarters about the vertical, counter-clockwise."""
-    corners = np.empty_like(triangles.corners)
-    x, y = triangles.corners[..., 0], triangles.corners[..., 1]
-    c, s = ((1, 0), (0, 1), (-1, 0), (0, -1))[turns % 4]
-    corners[..., 0], corners[..., 1], corners[..., 2] = c * x - s * y, s * x + c * y, triangles.corners[..., 2]
-    return replace(triangles, corners=corners)
+    if turns % 4 == 0:
+        return triangles
+    c, s = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[turns % 4]
+    turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    return replace(triangles, corners=project(triangles.corners, turn))
 
 
 def _low(node: Node) -> bool:

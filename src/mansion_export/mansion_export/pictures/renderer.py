@@ -275,7 +275,7 @@ def render(
     _shade_pixels(
         depth,
         index,
-        _lighting(triangles.corners, axes[2], SUN, LIGHT),
+        _lighting(triangles.corners, index, axes[2], SUN, LIGHT),
         triangles.colors,
         (pixels, triangles.coordinates, triangles.textures),
         (tiles.texels, tiles.frames, tiles.sizes),
@@ -296,13 +296,22 @@ def render(
 @kernel
 def _lighting(
     corners: npt.NDArray[np.float64],
+    index: npt.NDArray[np.int32],
     toward: npt.NDArray[np.float64],
     sun: npt.NDArray[np.float64],
     light: npt.NDArray[np.float64],
 ) -> npt.NDArray[np.float64]:
-    """Return for each triangle: shade without the sun, the sun's part, and a step off the face in the light's axes."""
+    """Return how each triangle that a pixel shows is lit.
+
+    As (n, 5) rows: shade without the sun, the sun's part, and a step off the face in the light's axes.
+    """
+    seen = np.zeros(len(corners), dtype=np.bool_)
+    for y in range(index.shape[0]):
+        for x in range(index.shape[1]):
+            if index[y, x] >= 0:
+                seen[index[y, x]] = True
     out = np.zeros((len(corners), 5))
-    for k in range(len(corners)):
+    for k in np.flatnonzero(seen):
         ax, ay, az = corners[k, 1] - corners[k, 0]
         bx, by, bz = corners[k, 2] - corners[k, 0]
         x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
@@ -393,7 +402,7 @@ def _shade_pixels(
     depth, index : (height, width) arrays
         Towards the eye, metres; the triangle, -1 for none.
     lighting : (n, 5) array
-        For each triangle: shade without the sun, the sun's part, a step off the face in the light's axes.
+        For each triangle in `index`: shade without the sun, the sun's part, a step off the face in the light's axes.
     colors : (n, 3) array
     laid : ((n, 3, 3), (n, 3, 2), (n,)) arrays
         Corners in the picture, their coordinates on textures, and the numbers of these.

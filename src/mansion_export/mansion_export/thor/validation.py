@@ -5,12 +5,12 @@ from collections import Counter
 from collections.abc import Callable, Container, Iterable
 from typing import Any, NamedTuple, TypeAlias
 
+import numpy as np
 from shapely.geometry import Point, Polygon
 
 from mansion_export.thor.reachability import ENOUGH_POSITIONS, reachable_positions
 from mansion_export.thor.vocabulary import AGENT_MODES, HORIZONS, LAYERS, LIGHT_TYPES, SCHEMA
-from mansion_geometry.plane import inside_ring
-from mansion_geometry.rings import signed_area
+from mansion_geometry.rings import points_inside_ring, signed_area
 from mansion_geometry.thor.house_format import object_nodes
 
 __all__ = ["HouseFault", "validate_house"]
@@ -358,15 +358,14 @@ def _check_reachability(house: Json) -> list[HouseFault]:
     positions = reachable_positions(house, start)
     if not positions:
         return [HouseFault("agent", "metadata.agent", f"the agent does not fit at {start}")]
-    found: list[HouseFault] = []
-    counts = {room["id"]: 0 for room in house["rooms"]}
-    rings = {room["id"]: [(p["x"], p["z"]) for p in room["floorPolygon"]] for room in house["rooms"]}
-    for x, z in positions:
-        home = next((name for name, ring in rings.items() if inside_ring(ring, x, z)), None)
-        if home is None:
-            found.append(HouseFault("reach", f"({x}, {z})", "reachable, and in no room"))
-        else:
-            counts[home] += 1
+    xs, zs = np.array(positions, dtype=float).T
+    homeless = np.ones(len(positions), dtype=bool)
+    counts = {}
+    for room in house["rooms"]:
+        here = homeless & points_inside_ring([(p["x"], p["z"]) for p in room["floorPolygon"]], xs, zs)
+        counts[room["id"]] = int(here.sum())
+        homeless &= ~here
+    found = [HouseFault("reach", str(positions[at]), "reachable, and in no room") for at in np.flatnonzero(homeless)]
     found += [
         HouseFault("reach", name, f"{count} reachable positions, {ENOUGH_POSITIONS} are required")
         for name, count in counts.items()

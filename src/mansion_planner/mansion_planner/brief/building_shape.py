@@ -350,6 +350,16 @@ def read_massing(reading: Reading) -> None:
 
 _NAMED = {"duplex": 2, "triplex": 3, "bungalow": 1}
 
+_PARTS_WITH_TOWERS = frozenset(
+    """
+    bell clock church water stair corner watch control lift cooling fly drill hose climbing lookout round square
+    """.split()
+)
+"""What stands before a tower that is a part of a building."""
+
+_WITH_PARTS = frozenset({"with", "and", "plus", "including", ",", "has", "have", "having"})
+"""Words after which a building's parts are named."""
+
 
 def read_sizes(reading: Reading, first: int, last: int) -> None:
     """Read how large and tall the building is called, from the words around the noun that names it.
@@ -369,10 +379,18 @@ def read_sizes(reading: Reading, first: int, last: int) -> None:
             reading.take(index, index + 2)
         elif word in ("highrise", "midrise", "lowrise"):
             reading.facts.size.append((f"{word[:-4]}_rise", span))
-        elif word in ("skyscraper", "tower") and reading.word(index + 1) not in ("room", "block"):
+        elif word in ("skyscraper", "tower") and _is_the_building(reading, index, first, last):
             reading.facts.size.append(("high_rise", span))
         elif is_size(word) and first - 3 <= index < max(last, 4) and _says_of_all(reading, index, first, last):
             reading.facts.size.append((size_of(word), span))
+
+
+def _is_the_building(reading: Reading, index: int, first: int, last: int) -> bool:
+    """Whether a tower is the building itself, and no part of it: "a church with a bell tower", "a tower room"."""
+    if reading.word(index + 1) in ("room", "block") or reading.word(index - 1) in _PARTS_WITH_TOWERS:
+        return False
+    named_otherwise = bool(last) and not first - 2 <= index <= last
+    return not (named_otherwise and _WITH_PARTS & set(reading.words(index - 3, index)))
 
 
 def _says_of_all(reading: Reading, index: int, first: int, last: int) -> bool:

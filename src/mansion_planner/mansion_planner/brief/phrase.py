@@ -1,5 +1,6 @@
 """A noun phrase of a brief, with the counts, the determiner and the name that stand around its head."""
 
+import re
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
@@ -188,6 +189,8 @@ def finished_phrase(
     name = name_of(reading, begin, end, core=mention.first if mention is not None else end - 1)
     named = begin + (begin < end - 1 and _measures_places(reading, begin))
     label = reading.text[reading.tokens[named].start : reading.tokens[end - 1].end]
+    if named and reading.tokens[named - 1].start == reading.tokens[named].start:
+        label = re.split(r"[-\s]", label, maxsplit=1)[-1]  # "seat" of "a 200-seat theatre"
     label = label or " ".join(reading.words(named, end))  # a noun that the text leaves out
     return Phrase(
         head,
@@ -477,6 +480,7 @@ def name_of(reading: Reading, begin: int, end: int, core: int | None = None) -> 
     core = end - 1 if core is None else core
     begin += begin < core and _measures_places(reading, begin)
     begin += begin < core and reading.words(begin - 1, begin + 1) == ("open", "plan")
+    begin += 2 * (begin + 1 < core and reading.words(begin, begin + 2) == ("open", "plan"))
     words = [reading.word(i) for i in range(begin, end) if i >= core or _names(reading.tokens[i])]
     words = [word.replace("&", "_and_") for word in words]
     return "_".join(word for word in words if word.isascii() and word.replace("_", "").isalnum())[:60].strip("_")

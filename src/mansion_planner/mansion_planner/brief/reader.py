@@ -68,6 +68,7 @@ from mansion_planner.brief.retractions import without_retractions, without_taken
 from mansion_planner.brief.room_facts import RoomStatements
 from mansion_planner.brief.room_names import told_by_its_words
 from mansion_planner.brief.rooms_by_building import room_for_building
+from mansion_planner.brief.rooms_en_suite import with_bathrooms_by_name
 from mansion_planner.brief.shared_places import read_shares
 from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses
 from mansion_planner.brief.shared_sizes import with_shared_sizes
@@ -133,6 +134,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     place_all_others(reading, exception)
     reading.go_on()
     read_copies(reading, places)
+    reading.facts.rooms = [with_bathrooms_by_name(fact) for fact in reading.facts.rooms]
     give_rooms_to_copies(reading.facts)
     read_clutter_words(reading, phrases)
     read_style(reading, named=False)

@@ -195,6 +195,8 @@ _NAMED = {
     ("bay", "fire_station"): "apparatus_bay",
     ("engine_bay", "fire_station"): "apparatus_bay",
     ("vehicle_bay", "fire_station"): "apparatus_bay",
+    ("cell", "monastery"): "dorm_room",
+    ("bay", "bus_station"): "parking",
     ("studio", "radio_station"): "recording_studio",
     ("studio", "media_house"): "recording_studio",
 }

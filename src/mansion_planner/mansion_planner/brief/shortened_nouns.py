@@ -15,6 +15,9 @@ _OFFICES = frozenset("office headquarter headquarters workspace workstation cowo
 """Words of a brief that is about places to work."""
 _ENDS = frozenset({"", ",", ".", ";", ":", ")", "\n", "with", "and", "or", "per", "on", "in", "each", "plus"})
 
+_HAIR = frozenset("hair hairdresser hairdressing barber barbershop salon".split())
+"""Words of a brief that is about a hairdresser's."""
+
 
 _WRITTEN_OUT = {"abt": "about"}
 """Words that people write in short."""
@@ -23,7 +26,10 @@ _OF_EACH = frozenset({"each", "every", "a", "an", "one", "per"})
 
 
 def shortened_nouns(tokens: list[Token]) -> list[Token]:
-    """Return the tokens with rooms where "doubles" are counted, offices where "open-plan" ends, and "w/" as "with"."""
+    """Return the tokens with rooms where "doubles" are counted, offices where "open-plan" ends, and "w/" as "with".
+
+    The stations of a hairdresser are styling chairs.
+    """
     tokens = _without_storey_of_flat(_with_baths_behind(tokens))
     texts = {token.text for token in tokens}
     result: list[Token] = []
@@ -59,6 +65,8 @@ def shortened_nouns(tokens: list[Token]) -> list[Token]:
         if token.text in _BEDS and token.plural and counted and not _LODGINGS.isdisjoint(texts):
             result[-1] = replace(token, plural=False)
             result.append(Token("word", "room", token.end, token.end, plural=True))
+        elif token.text == "station" and counted and not _HAIR.isdisjoint(texts):
+            result[-1:] = [Token("word", "styling", token.start, token.start), replace(token, text="chair")]
         elif (before, token.text) == ("open", "plan") and not _OFFICES.isdisjoint(texts):
             result.append(Token("word", "office", token.end, token.end))
     return result
@@ -69,13 +77,15 @@ def _text(tokens: list[Token], index: int) -> str:
 
 
 def _with_baths_behind(tokens: list[Token]) -> list[Token]:
-    """Return the tokens with "ten en-suite rooms" as "ten rooms en suite"."""
+    """Return the tokens with "ten en-suite rooms" as "ten rooms en suite", where rooms are those to sleep in."""
+    if _LODGINGS.isdisjoint(token.text for token in tokens):
+        return tokens
     result = list(tokens)
     for index in range(len(tokens) - 2, 0, -1):
         size = 2 if [token.text for token in tokens[index : index + 2]] == ["en", "suite"] else 1
         noun = index + size
         led = tokens[index].text == "ensuite" or size == 2
-        rooms = noun < len(tokens) and tokens[noun].text in ("room", "bedroom") and tokens[noun].plural
+        rooms = noun < len(tokens) and tokens[noun].text == "room" and tokens[noun].plural
         if led and rooms and tokens[index - 1].kind == "number":
             result[index : noun + 1] = [tokens[noun], *tokens[index:noun]]
     return result

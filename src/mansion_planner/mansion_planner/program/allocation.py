@@ -10,7 +10,7 @@ from mansion_planner.brief.facts import RoomFact
 from mansion_planner.brief_checks import check_number
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
-from mansion_planner.program.household import private_types
+from mansion_planner.program.household import FOR_VISITORS, private_types
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.people_rooms import people_rooms, place_rooms, professional_rooms
 from mansion_planner.program.planned_rooms import planned_room
@@ -184,7 +184,9 @@ def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: K
         if kind.name == "private_office" and decisions.building.family != "office":
             settled.add("open_office")  # a factory with offices of its own has no office floor
         one_of_several = fact.count == 1 and (kind.common or kind.name == "master_suite")
-        if fact.count is not None and not one_of_several:
+        if kind.name == FOR_VISITORS and decisions.building.family == "home":
+            settled.add(kind.name)  # those who live there sleep in rooms of their own
+        elif fact.count is not None and not one_of_several:
             settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)
             settled.update(next((group for group in _SAME_USE if kind.name in group), ()))
             if fact.count > 1:
@@ -204,7 +206,10 @@ def _unwanted_types(
         for alike in (_KITCHENS, _FOR_MEALS, _RECEIVING):
             if any(fact.room_type in alike for fact in facts):
                 unwanted[floor] |= alike
-        if any(fact.room_type == "living_room" and "dining" in fact.name for fact in facts):
+        if any(
+            fact.room_type == "kitchen_diner" or (fact.room_type == "living_room" and "dining" in fact.name)
+            for fact in facts
+        ):
             unwanted[floor] |= {"dining_room"}
     for name, ref, _ in decisions.facts.excluded_on:
         like = next((group for group in _SAME_USE if name in group), frozenset())
@@ -223,7 +228,7 @@ _SAME_USE = (
 )
 """Room types that stand for each other: a stated number of one leaves no room for another."""
 
-_KITCHENS = frozenset({"kitchen", "open_kitchen", "commercial_kitchen"})
+_KITCHENS = frozenset({"kitchen", "open_kitchen", "commercial_kitchen", "shared_kitchen"})
 """Rooms to cook in: a storey for which the brief asks one gets no other of another kind."""
 
 _FOR_MEALS = frozenset({"cafeteria", "cafe", "restaurant"})

@@ -58,6 +58,7 @@ from mansion_planner.program.storey_rooms import (
     name_rooms,
     needed_area,
 )
+from mansion_planner.program.told_doors import entered_as_told
 from mansion_planner.program.used_together import pairs_used_together
 
 __all__ = [
@@ -323,7 +324,9 @@ def _arranged(
     for storey in filled:
         source = sketches.get(storey.copy) if storey.copy is not None else None
         beside = [*pairs_used_together(storey), *pairs]
-        sketches[storey.index] = source or _sketch(decisions, massing, storey, beside)
+        sketches[storey.index] = source or entered_as_told(
+            _sketch(decisions, massing, storey, beside), decisions.facts.adjacent
+        )
         envelopes[storey.index] = (
             Envelope.of(decisions.outline)
             if decisions.free_form and decisions.outline is not None

@@ -19,6 +19,7 @@ from mansion_planner.program.master_suites import with_master_suite
 from mansion_planner.program.program_size import ProgramSize, size_of_program
 from mansion_planner.program.room_parts import with_room_parts
 from mansion_planner.program.shape_sizes import most_storeys
+from mansion_planner.program.told_people import people_of
 from mansion_planner.program.usual_meanings import as_meant_in, with_main_room
 
 __all__ = ["AREA_CAP", "Decisions", "MOST_FLOORS", "conflict", "decide", "note", "quoted"]
@@ -194,7 +195,9 @@ def _infer_building(facts: BriefFacts, knowledge: KnowledgeBase) -> str:
         votes = {name: votes[name] for name in votes if knowledge.buildings[name].family != "home"}
         votes[trade] = votes.get(trade, 0.0) + 3.0
     if votes:
-        return max(votes, key=lambda name: (votes[name], name))
+        kind = max(votes, key=lambda name: (votes[name], name))
+        shops = sum(room.count or 2 for room in facts.rooms if knowledge.room(room.room_type).suggests == kind)
+        return "shop_building" if kind == "shopping_mall" and shops == 1 else kind
     if any(word == "high_rise" for word, _ in facts.size) or any(q.value >= 4 for q in facts.floors):
         return "office"
     return "house" if not any(q.value > 300 for q in facts.area) else "office"
@@ -299,8 +302,8 @@ def _usual_floors(
         return min(max(needed, 1), max(most, 1)), "the stated area"
     if size is not None:
         return size.storeys, f'enough for "{size.words}"'
-    if facts.occupants and building.seats is None and building.family != "home":
-        people = sum(occupants.count for occupants in facts.occupants)
+    people, _ = people_of(facts, building)
+    if people and building.seats is None and building.family != "home":
         enough = max(1, math.ceil(people * building.people / building.floor_area[1]))
         if enough < usual:
             return enough, f"enough for {people} people"
@@ -442,12 +445,12 @@ def _infer_area(
     cap = AREA_CAP
     if called == "large":
         area, cap = 1.25 * min(area, AREA_CAP), 1.25 * AREA_CAP
-    if facts.occupants and building.seats is None and building.family != "home":
-        people = sum(o.count for o in facts.occupants)
-        own_rooms = all(o.noun in knowledge.groups.room_of for o in facts.occupants)
+    people, told = people_of(facts, building)
+    if people and building.seats is None and building.family != "home":
+        own_rooms = bool(facts.occupants) and all(o.noun in knowledge.groups.room_of for o in facts.occupants)
         each = max(_PRACTICE, building.people) if own_rooms else building.people
         area = min(max(people * each / decisions.floors, usual if own_rooms else least), cap)
-        note(decisions.trace, facts.occupants[0].span, f"{each:g} m2 for each of {people} people")
+        note(decisions.trace, told, f"{each:g} m2 for each of {people} people")
     if size is not None:
         decisions.area = min(size.area, AREA_CAP)
         note(decisions.trace, None, f"about {decisions.area:.0f} m2 a storey, for the rooms that are counted")

@@ -6,10 +6,13 @@ from dataclasses import replace
 from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
 from mansion_planner.brief.facts import RoomFact
 
-__all__ = ["STUDIO", "household_of", "is_whole", "main_room", "private_types", "use_of"]
+__all__ = ["FOR_VISITORS", "STUDIO", "household_of", "is_whole", "main_room", "private_types", "use_of"]
 
 _SMALL, _LARGE = 48.0, 95.0
 """Square metres below which a dwelling has one bedroom by default, and from which on it has three."""
+
+FOR_VISITORS = "guest_room"
+"""The room type in which nobody of a household sleeps."""
 
 _LIVING = "living_room"
 _DWELLING = "apartment"

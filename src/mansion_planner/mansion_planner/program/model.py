@@ -36,6 +36,7 @@ __all__ = [
     "lobby_length",
     "loosened",
     "misses_areas",
+    "shared_wall",
     "pocket",
     "short_edges",
     "touching",
@@ -419,7 +420,7 @@ def touching(first: Placement, second: Placement) -> bool:
     return False
 
 
-def _shared_wall(first: list[Box], second: list[Box]) -> float:
+def shared_wall(first: list[Box], second: list[Box]) -> float:
     """Return the longest straight wall that two sets of boxes share, metres."""
     spans: dict[tuple[bool, float], list[tuple[float, float]]] = {}
     for a in first:
@@ -461,7 +462,7 @@ def short_edges(sketch: Sketch) -> list[tuple[str, str]]:
     edges += [(placement.parent, placement.room.id) for placement in sketch.rooms]
     return [
         (parent, name) for parent, name in edges
-        if places[name] and _shared_wall(places.get(parent, []), places[name]) < DOOR_WALL
+        if places[name] and shared_wall(places.get(parent, []), places[name]) < DOOR_WALL
     ]  # fmt: skip
 
 

@@ -7,7 +7,7 @@ from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.program import RequestedObject
 from mansion_planner.brief.facts import OccupantFact, RoomFact
 from mansion_planner.program.decisions import Decisions
-from mansion_planner.program.household import STUDIO
+from mansion_planner.program.household import FOR_VISITORS, STUDIO
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import entries_of
 
@@ -20,6 +20,9 @@ _VISITORS = frozenset({"visitor", "guest", "customer", "client", "patient", "fam
 """Occupants who have no place of work."""
 
 _HOUSEHOLD = frozenset({"family", "people", "person", "resident", "adult", "inhabitant", "kid", "child"})
+
+_SHARING = frozenset({"student", "flatmate", "roommate", "housemate", "tenant", "lodger", "apprentice", "trainee"})
+"""People who share a home and have a bedroom each."""
 
 _USABLE = 0.6
 """Share of a storey that its rooms take beside corridors, walls and cores."""
@@ -44,11 +47,11 @@ def people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomFa
         return None
     people = facts.occupants[0]
     stated = {fact.room_type for fact in facts.rooms if fact.count is not None}
-    if decisions.building.family == "home" and people.noun in _HOUSEHOLD:
-        if decisions.building.hub == STUDIO or any(knowledge.room(name).counts_as == "bedroom" for name in stated):
+    if decisions.building.family == "home" and people.noun in _HOUSEHOLD | _SHARING:
+        own = stated - {FOR_VISITORS}
+        if decisions.building.hub == STUDIO or any(knowledge.room(name).counts_as == "bedroom" for name in own):
             return None
-        grown = people.count if people.noun not in ("kid", "child") else people.count + 2
-        count = max(1, min(grown - 1, 8))
+        count = max(1, min(_sleepers(people), 8))
         return RoomFact("bedroom", "bedroom", people.span, count), f"{count} bedrooms for {people.count} people"
     if seats is None or people.noun in _STAFF:
         return None
@@ -57,6 +60,13 @@ def people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomFa
         return None
     count = max(1, -(-people.count // int(seats.area or 1)))
     return RoomFact(kind.name, kind.name, people.span, count), f"{count} x {kind.name} for {people.count} people"
+
+
+def _sleepers(people: OccupantFact) -> int:
+    """Return how many bedrooms the people of a home need: parents share one, and so do couples."""
+    if people.noun in _SHARING:
+        return people.count
+    return people.count + 1 if people.noun in ("kid", "child") else people.count - 1
 
 
 def professional_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[tuple[RoomFact, str]]:

@@ -30,6 +30,7 @@ _UNASKED: Final = 0.85
 _AT_HOME: Final = {
     "bar": 12.0, "workshop": 14.0, "music_room": 16.0, "art_room": 16.0, "dance_studio": 22.0, "yoga_studio": 16.0,
     "photo_studio": 16.0, "recording_studio": 14.0, "greenhouse": 15.0, "spa": 20.0, "laundry_room": 7.0,
+    "roof_terrace": 26.0, "terrace": 18.0,
 }  # fmt: skip
 """Usual square metres in a home of rooms that other buildings have for many: a bar for a household and its guests."""
 

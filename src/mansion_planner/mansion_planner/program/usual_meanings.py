@@ -19,7 +19,9 @@ _MEANT = {
     "showroom": ("car_showroom",), "kitchenette": ("kitchen",), "sleeping_area": ("bedroom",),
     "hall": ("assembly_hall", "conference_hall"), "guest_room": ("hotel_room",), "bedroom": ("hotel_room",),
     "gym": ("home_gym",), "dressing_room": ("walk_in_closet",),
-    "library": ("library_room",), "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
+    "stall": ("food_stall",), "seating": ("restaurant", "cafeteria", "cafe"),
+    "seating_area": ("restaurant", "cafeteria", "cafe"), "library": ("library_room",),
+    "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
 }  # fmt: skip
 """Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
 

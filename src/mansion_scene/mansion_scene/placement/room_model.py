@@ -220,9 +220,12 @@ def _zones(segments: list[Floats], heights: list[float], depths: list[float], ed
         u = vector / length
         middle = (seg[:2] + seg[2:]) / 2
         v = np.array([-u[1], u[0]])
+        (mx, my), (ux, uy) = middle.tolist(), u.tolist()
         inside = [
             sum(
-                _inside(middle + sign * v * depth * t + u * length * s, edges)
+                point_inside(
+                    mx - sign * uy * depth * t + ux * length * s, my + sign * ux * depth * t + uy * length * s, edges
+                )
                 for t in (0.1, 0.5, 0.9)
                 for s in (-0.4, 0.0, 0.4)
             )
@@ -233,10 +236,6 @@ def _zones(segments: list[Floats], heights: list[float], depths: list[float], ed
         x, y = middle + v * depth / 2
         rows.append((x, y, u[0], u[1], length / 2, depth / 2, height))
     return np.array(rows, dtype=float).reshape(-1, 7)
-
-
-def _inside(point: Floats, edges: Floats) -> bool:
-    return bool(point_inside(float(point[0]), float(point[1]), edges))
 
 
 def _angles(walls: list[Wall]) -> list[float]:

@@ -1,0 +1,96 @@
+"""Ordinary words that are no rooms, or other rooms than they seem, in the building that they are said of."""
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_msgs_py.program import RoomProgram
+from mansion_msgs_py.request import BuildRequest
+from mansion_planner.brief import read_brief
+from mansion_planner.plan import plan_building
+
+
+def rooms(brief: str) -> list[RoomProgram]:
+    program = plan_building(BuildRequest(description=brief)).program
+    return [room for floor in program.floors for room in floor.rooms]
+
+
+@pytest.mark.parametrize(
+    "brief",
+    [
+        "a church with a nave, a sacristy and a bell tower",
+        "a castle hotel with two round towers",
+        "a town hall with a lobby, offices and a clock tower",
+    ],
+)
+def test_a_building_with_a_tower_is_no_high_rise(brief: str) -> None:
+    assert "high_rise" not in [name for name, _ in read_brief(brief, default_knowledge()).size]
+
+
+@pytest.mark.parametrize("brief", ["an office tower", "a residential tower", "a slim tower with offices"])
+def test_a_building_that_is_a_tower_is_a_high_rise(brief: str) -> None:
+    assert "high_rise" in [name for name, _ in read_brief(brief, default_knowledge()).size]
+
+
+def test_aisles_of_a_shop_are_no_rooms() -> None:
+    found = rooms("a supermarket with a bakery, a fish counter and ten aisles")
+    assert not any("aisle" in room.id for room in found)
+
+
+def test_the_stations_of_a_hairdresser_are_chairs() -> None:
+    facts = read_brief("a hair salon with six stations and a waiting area", default_knowledge())
+    assert [(thing.category, thing.count) for thing in facts.objects] == [("salon_chair", 6)]
+    assert not any(room.name == "station" for room in facts.rooms)
+
+
+def test_the_stalls_of_a_food_court_sell_food() -> None:
+    found = rooms("a food court with six stalls")
+    assert [room.room_type for room in found].count("food_stall") == 6
+    assert not any(room.room_type == "stable" for room in found)
+
+
+def test_the_stalls_of_a_stable_are_for_horses() -> None:
+    assert [room.room_type for room in rooms("a stable with six stalls")].count("food_stall") == 0
+
+
+def test_a_seating_area_is_a_place_to_sit() -> None:
+    kinds = {room.room_type for room in rooms("a laundromat with 20 washing machines and a seating area")}
+    assert "lounge" in kinds
+
+
+@pytest.mark.parametrize(
+    ("brief", "kind", "count"),
+    [
+        ("a monastery with 12 cells and a chapel", "dorm_room", 12),
+        ("a film studio with two make-up rooms", "dressing_room", 2),
+        ("an optician with an eye test room", "consultation_room", 1),
+        ("an escape room venue with four themed rooms", "game_room", 4),
+    ],
+)
+def test_rooms_of_a_trade_are_of_its_kind(brief: str, kind: str, count: int) -> None:
+    assert [room.room_type for room in rooms(brief)].count(kind) == count
+
+
+@pytest.mark.parametrize(("brief", "most"), [("an arcade with a snack bar", 320.0), ("a container home", 60.0)])
+def test_small_buildings_are_small(brief: str, most: float) -> None:
+    program = plan_building(BuildRequest(description=brief)).program
+    assert len(program.floors) == 1
+    assert program.floors[0].gross_floor_area <= most
+
+
+def test_a_loft_of_a_home_is_a_room_below_the_roof() -> None:
+    kinds = [room.room_type for room in rooms("a cabin with a loft and a sauna")]
+    assert "attic" in kinds
+    assert "apartment" not in kinds
+
+
+def test_a_shop_with_an_apartment_above_is_no_mall() -> None:
+    program = plan_building(
+        BuildRequest(description="a building with a shop downstairs and an apartment upstairs")
+    ).program
+    assert program.building_type == "shop_building"
+
+
+def test_a_cafeteria_that_is_the_building_is_for_guests() -> None:
+    kinds = {room.room_type for room in rooms("a school cafeteria with kitchen and seating for 150 students")}
+    assert {"restaurant", "commercial_kitchen"} <= kinds
+    assert not {"bedroom", "living_room"} & kinds
