@@ -77,6 +77,13 @@ def test_small_buildings_are_small(brief: str, most: float) -> None:
     assert program.floors[0].gross_floor_area <= most
 
 
+def test_a_bar_that_is_all_there_is_is_no_house() -> None:
+    assert (
+        plan_building(BuildRequest(description="a bar with a stage and a pool table")).program.building_type
+        == "bar_building"
+    )
+
+
 def test_a_loft_of_a_home_is_a_room_below_the_roof() -> None:
     kinds = [room.room_type for room in rooms("a cabin with a loft and a sauna")]
     assert "attic" in kinds
@@ -94,3 +101,40 @@ def test_a_cafeteria_that_is_the_building_is_for_guests() -> None:
     kinds = {room.room_type for room in rooms("a school cafeteria with kitchen and seating for 150 students")}
     assert {"restaurant", "commercial_kitchen"} <= kinds
     assert not {"bedroom", "living_room"} & kinds
+
+
+@pytest.mark.parametrize(
+    ("brief", "kind"),
+    [("a car repair workshop with three service bays", "car_workshop_building"), ("a food court", "food_hall")],
+)
+def test_a_building_called_by_a_plain_noun_is_known(brief: str, kind: str) -> None:
+    facts = read_brief(brief, default_knowledge())
+    assert facts.building[0][0] == kind
+
+
+@pytest.mark.parametrize(
+    "brief",
+    ["an office floor of 400 m2 with 20 cubicles", "Design a school floor with four classrooms", "a hotel floor"],
+)
+def test_a_floor_of_a_building_is_one_storey(brief: str) -> None:
+    assert len(plan_building(BuildRequest(description=brief)).program.floors) == 1
+
+
+def test_a_yard_that_a_room_looks_into_is_no_outline() -> None:
+    looked_into = read_brief("a flat with a bedroom facing the courtyard", default_knowledge())
+    built_around = read_brief("a house around a courtyard", default_knowledge())
+    assert (looked_into.shapes, [shape for shape, _ in built_around.shapes]) == ([], ["courtyard"])
+
+
+@pytest.mark.parametrize(
+    "brief", ["a ground-floor flat with a patio", "a top-floor flat with two bedrooms", "a second-floor apartment"]
+)
+def test_a_flat_on_some_storey_is_a_flat_and_no_building_around_it(brief: str) -> None:
+    program = plan_building(BuildRequest(description=brief)).program
+    assert len(program.floors) == 1
+    assert not any(room.room_type == "apartment" for room in program.floors[0].rooms)
+
+
+@pytest.mark.parametrize("brief", ["a flat of 55 m2 with a separate toilet", "a flat of 40 m2 with a pantry"])
+def test_a_small_flat_has_a_place_to_sleep(brief: str) -> None:
+    assert "bedroom" in {room.room_type for room in rooms(brief)}

@@ -137,11 +137,16 @@ def _names_building(reading: Reading, index: int) -> bool:
 _COURTS = frozenset({"garth", "quad", "quadrangle", "atrium", "court", "patio"})
 
 
+_SEEN_FROM_ROOMS = frozenset({"facing", "face", "overlooking", "overlook", "towards", "toward", "view"})
+"""Words before a yard that somebody only looks into from a room: there may be one, beside or behind."""
+
+
 def _is_court(reading: Reading, index: int) -> bool:
     """Whether a word is of a yard that wings stand around: "about an open cloister garth", "a closed quadrangle"."""
     before = reading.words(max(index - 5, 0), index)
     if reading.word(index) == "courtyard":
-        return reading.word(index - 1) not in _NEGATIONS and reading.word(index + 1) not in FLOOR_WORDS
+        seen = not _SEEN_FROM_ROOMS.isdisjoint(reading.words(max(index - 3, 0), index))
+        return not seen and reading.word(index - 1) not in _NEGATIONS and reading.word(index + 1) not in FLOOR_WORDS
     if reading.word(index) not in _COURTS or index in reading.taken or reading.facts.shapes:
         return False
     if reading.word(index) in ("quadrangle", "quad", "garth"):

@@ -5,7 +5,7 @@ from typing import Final
 
 from mansion_language import Token
 
-__all__ = ["counted_compounds"]
+__all__ = ["BUILDING_HEADS", "NAME_ENDS", "counted_compounds"]
 
 _HELD: Final = frozenset(
     """
@@ -21,7 +21,7 @@ _SERVED: Final = frozenset("pupil student child kid place patient guest car vehi
 _MEANT: Final = {"key": "room", "place": "child"}
 """What trades call otherwise: a hotel of 60 keys, a nursery of 40 places."""
 
-_BUILDINGS: Final = frozenset(
+BUILDING_HEADS: Final = frozenset(
     """
     hotel theatre theater restaurant cinema garage alley station office center centre library cafe salon dormitory gym
     pharmacy nursery park school
@@ -32,7 +32,7 @@ _BUILDINGS: Final = frozenset(
 _HOMES: Final = frozenset("flat apartment house home condo bungalow cottage villa studio maisonette duplex".split())
 """Whose rooms are counted in ways of their own; a guest house is none."""
 
-_ENDS: Final = frozenset("with and or of for in on at by near from to without plus that which is has where".split())
+NAME_ENDS: Final = frozenset("with and or of for in on at by near from to without plus that which is has where".split())
 
 _LONGEST: Final = 5
 
@@ -48,7 +48,7 @@ def counted_compounds(tokens: list[Token], heads: frozenset[str]) -> list[Token]
     result: list[Token] = []
     at = 0
     while at < len(tokens):
-        end = _end(tokens, at, heads | _BUILDINGS)
+        end = _end(tokens, at, heads | BUILDING_HEADS)
         if end:
             number, noun = tokens[at], tokens[at + 1]
             name, rest = tokens[at + 2 : end], tokens[end : end + 1]
@@ -75,7 +75,7 @@ def _end(tokens: list[Token], at: int, heads: frozenset[str]) -> int:
     if noun.plural or noun.text not in _HELD | _SERVED:
         return 0
     end = at + 2
-    while end < len(tokens) and tokens[end].kind == "word" and tokens[end].text not in _ENDS:
+    while end < len(tokens) and tokens[end].kind == "word" and tokens[end].text not in NAME_ENDS:
         end += 1
     last = tokens[end - 1]
     home = last.text in _HOMES and tokens[end - 2].text != "guest"

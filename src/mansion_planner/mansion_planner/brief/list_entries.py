@@ -291,7 +291,7 @@ NO_ROOMS = frozenset(
     step ramp way time year day night week money budget lot plenty kind sort type size shape plan layout entrance
     access room place part one none whole wood oak brick stone glass steel concrete marble gold silver white black
     green blue red furniture gross net total rectangle footprint square thing stuff number largest biggest smallest
-    rent own occupy aisle playground
+    rent own occupy aisle playground courtyard
     other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m
     metre meter roof region order vicinity neighbourhood neighborhood altogether totality
     skylight rooflight dormer chimney h haha lol generation side symbol abt bit month latter former

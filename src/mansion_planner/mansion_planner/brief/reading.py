@@ -13,7 +13,7 @@ from mansion_planner.brief.children_groups import children_groups
 from mansion_planner.brief.conversions import without_conversions
 from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
-from mansion_planner.brief.counted_compounds import counted_compounds
+from mansion_planner.brief.counted_compounds import BUILDING_HEADS, counted_compounds
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
@@ -31,6 +31,7 @@ from mansion_planner.brief.rooms_by_person import rooms_by_person
 from mansion_planner.brief.rooms_by_sex import rooms_by_sex
 from mansion_planner.brief.seated_people import seated_people
 from mansion_planner.brief.shortened_nouns import shortened_nouns
+from mansion_planner.brief.single_floors import single_flats, single_floors
 from mansion_planner.brief.spelling import corrected, without_slips
 from mansion_planner.brief.spoken_turns import spoken_turns
 from mansion_planner.brief.stacked_flats import stacked_flats
@@ -247,7 +248,9 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
     tokens = stacked_flats(relative_areas(tokens), FLOOR_WORDS)
     tokens = activities(tokens)
-    tokens = counted_compounds(tokens, lexicon.building_heads)
+    tokens = counted_compounds(
+        single_floors(single_flats(tokens), BUILDING_HEADS | lexicon.building_heads), lexicon.building_heads
+    )
     tokens = seated_people(garages(tokens, lexicon.building_heads))
     tokens = capacities(owned_by_each(upward_ranges(tokens, FLOOR_WORDS)), lexicon.heads)
     mentions = lexicon.find(tokens)

@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 
 import msgspec
 
@@ -257,6 +258,8 @@ def _needed_entries(storey: Storey, allocation: Allocation, knowledge: Knowledge
         open_to = storey.use.main - {fact.room_type for fact in allocation.wanted[storey.index]}
         return [e for e in entries_of(storey) if e.room_type in open_to and allocation.adds(e.room_type, storey.index)]
     needs = [need for need in _NEEDS if not (need == "cooking" and storey.hub.name == STUDIO)]
+    if storey.role == "single" and storey.hub.name == "living_room":
+        needs.append("sleeping")  # a small flat keeps its bedroom; larger homes have several anyway
     stated = [fact for facts in allocation.wanted.values() for fact in facts]
     served = {use_of(knowledge.room(part.room_type)) for fact in stated for part in (fact, *fact.suite)}
     needed: dict[str, RoomEntry] = {}
@@ -266,7 +269,8 @@ def _needed_entries(storey: Storey, allocation: Allocation, knowledge: Knowledge
         if need in needs and need not in served and allocation.adds(kind.name, storey.index):
             needed.setdefault(need, entry)
     found = [needed[need] for need in needs if need in needed]
-    return [entry for entry in found if not entry.repeat and entry.count == 1]
+    asleep = [replace(entry, count=1, repeat=False) for entry in found if entry is needed.get("sleeping")]
+    return [*(entry for entry in found if not entry.repeat and entry.count == 1 and entry not in asleep), *asleep]
 
 
 _NEEDS = ("washing", "cooking", "living")

@@ -13,7 +13,7 @@ _DESKS: Final = frozenset({"desk", "office_desk", "standing_desk"})
 def people_of(facts: BriefFacts, building: BuildingType) -> tuple[int, Span | None]:
     """Return how many people a building is for, and the words that say so; 0 where none do.
 
-    An office is for those who sit at the desks that are counted, unless its brief speaks of people or tells the storeys.
+    An office is for those who sit at the desks that are counted, unless its brief tells people or storeys.
     """
     if facts.occupants:
         return sum(people.count for people in facts.occupants), facts.occupants[0].span
