@@ -55,3 +55,10 @@ def test_both_halves_of_a_duplex_are_counted() -> None:
         "So 4 bedrooms in sum."
     )
     assert counts(text) == {"kitchen": 2, "half_bath": 2, "bedroom": 4}
+
+
+def test_names_of_several_words_stay_whole() -> None:
+    facts = read(
+        "Two semi-detached houses, each with two floors, kitchen and living room downstairs, two bedrooms upstairs."
+    )
+    assert [fact.label for fact in facts.rooms] == ["kitchen", "living room", "bedrooms"]

@@ -189,7 +189,8 @@ def finished_phrase(
     name = name_of(reading, begin, end, core=mention.first if mention is not None else end - 1)
     named = begin + (begin < end - 1 and _measures_places(reading, begin))
     label = reading.text[reading.tokens[named].start : reading.tokens[end - 1].end]
-    if named and reading.tokens[named - 1].start == reading.tokens[named].start:
+    before = reading.tokens[named - 1]
+    if named and before.start == reading.tokens[named].start and before.end > before.start:
         label = re.split(r"[-\s]", label, maxsplit=1)[-1]  # "seat" of "a 200-seat theatre"
     label = label or " ".join(reading.words(named, end))  # a noun that the text leaves out
     return Phrase(
