@@ -115,3 +115,18 @@ def test_the_neighbour_that_is_told_last_holds(words: str) -> None:
     facts = read(f"A house with {words}.")
     assert [(fact.first_name, fact.second_name) for fact in facts.adjacent] == [("study", "kitchen")]
     assert [room.name for room in facts.rooms] == ["study", "bedroom", "kitchen"]
+
+
+@pytest.mark.parametrize(
+    "later",
+    ["Remove the showroom again.", "Delete the showroom.", "We take out the showroom.", "No showroom after all."],
+)
+def test_what_is_removed_again_is_not_wanted(later: str) -> None:
+    facts = read_brief(f"Office with a reception and a showroom. {later}", default_knowledge())
+    assert [fact.name for fact in facts.rooms] == ["reception"]
+    assert [name for name, _ in facts.excluded] == ["showroom"]
+
+
+def test_what_is_replaced_goes() -> None:
+    facts = read_brief("Clinic with a pharmacy. Replace the pharmacy with a laboratory.", default_knowledge())
+    assert [fact.name for fact in facts.rooms] == ["laboratory"]

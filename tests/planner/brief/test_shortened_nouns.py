@@ -29,3 +29,29 @@ def test_with_may_be_a_letter() -> None:
 def test_an_area_at_each_of_some_storeys_is_that_of_a_storey() -> None:
     facts = read_brief("Rehab centre: three floors @ 700 sqm.", default_knowledge())
     assert [quantity.value for quantity in facts.floor_area] == [700.0]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("2 floor house. Up: 3 bed, 1 bath.", {"bedroom": 3, "bathroom": 1}),
+        ("Two bedroom flat with a kitchen.", {"bedroom": 2, "kitchen": 1}),
+        ("Two bedroom ground floor flat with a kitchen.", {"bedroom": 2, "kitchen": 1}),
+    ],
+)
+def test_short_forms_of_homes(text: str, expected: dict[str, int]) -> None:
+    found: dict[str, int | None] = {}
+    for fact in read_brief(text, default_knowledge()).rooms:
+        found[fact.room_type] = fact.count
+    assert {kind: found.get(kind) for kind in expected} == expected
+
+
+def test_en_suite_rooms_have_a_bathroom_each() -> None:
+    facts = read_brief("Student residence with ten en-suite rooms.", default_knowledge())
+    assert next((fact.room_type, fact.count) for fact in facts.rooms) == ("dorm_room", 10)
+
+
+def test_what_a_suite_is_the_sum_of_is_in_each() -> None:
+    facts = read_brief("Villa with six bedroom suites; each suite = bedroom + bathroom + sauna.", default_knowledge())
+    told = [(fact.room_type, fact.count, [room.room_type for room in fact.suite]) for fact in facts.rooms]
+    assert told == [("bedroom", 6, ["bathroom", "sauna"])]

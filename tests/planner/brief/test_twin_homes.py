@@ -41,3 +41,24 @@ def test_the_area_is_that_of_all(size: str) -> None:
 def test_flats_of_a_storey_are_no_homes_side_by_side() -> None:
     text = "Three storeys with two identical flats on each floor. Each flat has a kitchen and three bedrooms."
     assert counts(text) == {"flat": 2}
+
+
+def test_storeys_are_those_of_all_homes() -> None:
+    facts = read("Two semi-detached houses, each with two floors, a kitchen downstairs and three bedrooms upstairs.")
+    assert [quantity.value for quantity in facts.floors] == [2.0]
+    assert {fact.name: fact.count for fact in facts.rooms} == {"kitchen": 2, "bedroom": 6}
+
+
+def test_both_halves_of_a_duplex_are_counted() -> None:
+    text = (
+        "Side-by-side duplex, both halves the same: downstairs kitchen and a half bath, upstairs 2 bedrooms. "
+        "So 4 bedrooms in sum."
+    )
+    assert counts(text) == {"kitchen": 2, "half_bath": 2, "bedroom": 4}
+
+
+def test_names_of_several_words_stay_whole() -> None:
+    facts = read(
+        "Two semi-detached houses, each with two floors, kitchen and living room downstairs, two bedrooms upstairs."
+    )
+    assert [fact.label for fact in facts.rooms] == ["kitchen", "living room", "bedrooms"]

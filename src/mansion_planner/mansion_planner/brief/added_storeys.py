@@ -17,7 +17,7 @@ def added_storeys(tokens: list[Token], floor_words: AbstractSet[str]) -> list[To
     result: list[Token] = []
     index = 0
     while index < len(tokens):
-        end = _end(tokens, index, floor_words)
+        end = _end(tokens, index, floor_words) or _attic_end(tokens, index, floor_words)
         if end:
             start, last = tokens[index].start, tokens[end - 1].end
             result.append(Token("number", "two", start, last, 2.0))
@@ -26,6 +26,21 @@ def added_storeys(tokens: list[Token], floor_words: AbstractSet[str]) -> list[To
             result.append(tokens[index])
         index = end or index + 1
     return result
+
+
+_ATTICS = frozenset({"attic", "loft"})
+
+
+def _attic_end(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> int:
+    """Return the token after "ground floor plus attic" where no number of storeys is told; else 0."""
+    texts = [token.text for token in tokens[index : index + 6]]
+    if len(texts) < 4 or texts[0] != "ground" or texts[1] not in floor_words or texts[2] not in _JOINTS:
+        return 0
+    attic = 3 + (texts[3] in ("a", "an", "the"))
+    counted = any(token.kind == "number" and tokens[at + 1].text in floor_words for at, token in enumerate(tokens[:-1]))
+    if texts[attic : attic + 1] == [] or texts[attic] not in _ATTICS or counted:
+        return 0
+    return index + attic + 1 + (texts[attic + 1 : attic + 2] != [] and texts[attic + 1] in floor_words)
 
 
 def _end(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> int:

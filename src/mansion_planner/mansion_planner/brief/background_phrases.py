@@ -6,6 +6,7 @@ from mansion_planner.brief.asides import TRIALS
 from mansion_planner.brief.building import MADE_INTO
 from mansion_planner.brief.phrase import PLAIN, Phrase
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.surroundings import is_elsewhere
 
 __all__ = ["without_bystanders"]
 
@@ -30,6 +31,7 @@ def without_bystanders(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
         or _is_new_home(reading, phrases, number)
         or _is_customer(reading, phrases, number)
         or _is_neighbour(reading, phrases, number)
+        or is_elsewhere(reading, phrases, number)
         else phrase
         for number, phrase in enumerate(phrases)
     ]

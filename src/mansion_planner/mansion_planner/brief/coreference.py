@@ -189,6 +189,15 @@ def _best(phrases: Sequence[Phrase], phrase: Phrase, others: Sequence[int]) -> i
     return exact[0] if exact else others[0]
 
 
+def _is_designated(phrase: Phrase, other: Phrase) -> bool:
+    """Whether a room has a letter or a number of its own: "one bed per bedroom" is said of bedroom A and bedroom B."""
+    return other.name.startswith(f"{phrase.name}_") and len(other.name) - len(phrase.name) <= _DESIGNATOR
+
+
+_DESIGNATOR = 3
+"""Letters of "_a" and "_12", at most."""
+
+
 def _is_shortened(phrase: Phrase, other: Phrase) -> bool:
     """Whether a name leaves out words of another one: "the children's room" of a children's corner room."""
     words, others = phrase.name.split("_"), other.name.split("_")
@@ -202,6 +211,8 @@ def _same_name(phrase: Phrase, other: Phrase) -> bool:
         return True
     if phrase.determiner == "the" and other.name == f"{phrase.name}_room":
         return True  # "the disco" of a disco room
+    if phrase.determiner in ("per", "each", "every") and _is_designated(phrase, other):
+        return True
     of_several = phrase.determiner == "the" and (other.count or 2) > 1
     if of_several and phrase.name.endswith("_" + other.name) and not {"'", "’"} & set(phrase.label):
         return True

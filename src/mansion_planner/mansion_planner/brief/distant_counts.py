@@ -5,7 +5,7 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
-from mansion_planner.brief.facts import Quantity, Span
+from mansion_planner.brief.facts import FloorRef, Quantity, Span
 from mansion_planner.brief.phrase import Phrase, is_whole_count, tells_some
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_attachment import Attachment
@@ -41,6 +41,8 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
         )
         if apiece and _count_apiece(reading, phrases, index):
             continue
+        if _counts_on_each(reading, phrases, index):
+            continue
         of_them = reading.words(index + 1, index + 3) == ("of", "them") and not tells_some(reading, index)
         corrects = not {"sorry", "mean", "correction"}.isdisjoint(reading.words(index - 3, index))
         if not of_them and not corrects:
@@ -70,6 +72,23 @@ def _counts_list(reading: Reading, phrases: list[Phrase], index: int) -> bool:
     return True
 
 
+def _counts_on_each(reading: Reading, phrases: list[Phrase], index: int) -> bool:
+    """Read "WC on each floor, at least two" as so many on each; whether it was so."""
+    least = reading.words(index - 3, index) == (",", "at", "least")
+    closed = reading.breaks(index + 1) or reading.word(index + 1) in (",", ")")
+    before = [n for n, p in enumerate(phrases) if p.last <= index and p.head == "room"]
+    if not ((least or reading.word(index - 1) == ",") and closed and before):
+        return False
+    room = phrases[before[-1]]
+    between = reading.words(room.last, index)
+    every = {"each", "every", "per"} & set(between) and FLOOR_WORDS & set(between)
+    if room.counted or not every or len(between) > _NEAR or reading.sentence[room.first] != reading.sentence[index]:
+        return False
+    phrases[before[-1]] = replace(room, count=int(reading.value(index)), counted=True)
+    reading.take(index - 2 * least, index + 1)
+    return True
+
+
 _NEAR = 6
 """Tokens between rooms and their number in a bracket behind their storey, at most."""
 
@@ -85,6 +104,15 @@ def read_counts_by_room(reading: Reading, phrases: list[Phrase]) -> None:
         if single and beside and len(counted) == 1 and earlier:
             phrases[earlier[-1]] = replace(phrases[earlier[-1]], count=counted[0].count, counted=True)
             phrases[number] = replace(phrase, counted=False, determiner="each")
+            continue
+        if (
+            single
+            and beside
+            and len(counted) == 1
+            and phrase.determiner in ("a", "an", "one")
+            and of_each.head == "room"
+        ):
+            phrases[number] = replace(phrase, count=counted[0].count, counted=True)
             continue
         if not single or of_each.head != "room" or lead not in (("for", "each"), ("for", "every"), ("per",)):
             continue
@@ -223,6 +251,7 @@ def read_halves(
     reading: Reading, phrases: list[Phrase], places: Sequence[Place], attached: dict[int, Attachment]
 ) -> None:
     """Read "twelve classrooms, half of them on either storey" and "half upstairs, half downstairs"."""
+    _read_even_shares(reading, phrases, attached)
     index = 0
     while index < len(reading.tokens):
         if reading.word(index) not in ("half", "halves") or index in reading.taken:
@@ -249,6 +278,35 @@ def read_halves(
         attached[rooms[-1]] = Attachment(refs, each=True)
         phrases[rooms[-1]] = replace(phrases[rooms[-1]], count=count // 2)
         reading.take(index - 1, (named[0] if both else named[1]).first)
+
+
+def _read_even_shares(reading: Reading, phrases: list[Phrase], attached: dict[int, Attachment]) -> None:
+    """Read "12 classrooms split evenly over the floors" as so many on each storey."""
+    storeys = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+    for index in range(len(reading.tokens)):
+        if reading.word(index) not in _EVENLY or index in reading.taken or storeys < 2:
+            continue
+        last = index + 1
+        while reading.word(last) in _OVER_ALL or (reading.kind(last) == "number" and reading.value(last) == storeys):
+            last += 1
+        rooms = [n for n, p in enumerate(phrases) if p.last <= index and p.room_type and p.counted]
+        room = phrases[rooms[-1]] if rooms else None
+        if reading.word(last) not in FLOOR_WORDS or room is None or index - room.last > _NEAR:
+            continue
+        count = room.count or 0
+        if count % storeys or reading.sentence[room.first] != reading.sentence[index]:
+            continue
+        span = reading.span(index, last + 1)
+        attached[rooms[-1]] = Attachment((FloorRef("every", span=span),), each=True)
+        phrases[rooms[-1]] = replace(room, count=count // storeys)
+        reading.take(room.last, last + 1)
+
+
+_EVENLY = frozenset({"evenly", "equally"})
+_OVER_ALL = frozenset(
+    {"over", "across", "between", "among", "on", "the", "both", "all", "divided", "split", "shared", "spread", "its"}
+)
+"""Words between "evenly" and the storeys over which rooms are shared out."""
 
 
 def _is_other_half(reading: Reading, index: int) -> bool:

@@ -51,6 +51,7 @@ class EllipticStoreys:
             or self._next(index, previous)
             or self._edge(index)
             or self._ordinal(index)
+            or self._further_ordinal(index, previous)
             or self._entered(index)
             or self._between(index, previous)
         )
@@ -105,6 +106,18 @@ class EllipticStoreys:
         if taken and reading.word(index + 1) in CLOSERS and self._after_storey(index):
             return [FloorRef("number", int(value), int(value))], index + 1
         return None
+
+    def _further_ordinal(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "the second storey has a cold room and the third an instrument room"."""
+        reading = self.reading
+        value = reading.value(index)
+        if reading.kind(index) != "ordinal" or previous is None or previous.kind not in ("number", "range"):
+            return None
+        led = reading.word(index - 1) == "the" and reading.word(index - 2) in (",", "and", ";")
+        room = reading.word(index + 1) in ("a", "an") or reading.kind(index + 1) == "number"
+        if not (led and room) or value != previous.last + 1 or not self._after_storey(index):
+            return None
+        return [FloorRef("number", int(value), int(value))], index + 1
 
     def _first_of(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read "the two floors on top hold, first, ..., then, at the very top, ...": the lower of them."""

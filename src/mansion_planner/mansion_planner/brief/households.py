@@ -12,10 +12,11 @@ from dataclasses import replace
 
 from mansion_language.numbers import NUMBER_WORDS
 from mansion_planner.brief.facts import FloorRef, RoomFact
+from mansion_planner.brief.mixed_units import parted, shares_of
 from mansion_planner.brief.phrase import Phrase, is_whole_count
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.unit_rooms import UnitRooms
-from mansion_planner.brief.units import ALL, GENERAL, LODGINGS, Households, find_units, put_phrase
+from mansion_planner.brief.units import ALL, GENERAL, LODGINGS, TELLING, Households, find_units, put_phrase
 
 __all__ = ["read_households", "told_apart"]
 
@@ -48,14 +49,20 @@ class _Households:
         self.found = find_units(reading, phrases, building)
         self.lists = UnitRooms(reading, phrases, places, building, self.found)
         self.listed: set[int] = set()
+        self.shared: set[int] = set()
 
     def run(self) -> None:
         """Read the rooms that each statement gives the units."""
-        for phrase in [p for p in self.phrases if p.first in self.found.units]:
+        self._shares()
+        for phrase in [p for p in self.phrases if p.first in self.found.units and p.first not in self.shared]:
             every = phrase.determiner in ALL and (phrase.determiner == "each" or not phrase.counted)
             again = phrase.plural or (phrase.determiner == "the" and not phrase.counted and self._leads_list(phrase))
             those = phrase.determiner in ("the", "these", "those") and again and self._named_before(phrase)
-            if every or those:
+            generic = phrase.determiner in ("a", "an", "one") and self.reading.word(phrase.last) in TELLING
+            again_one = self._is_spoken_of_again(phrase)
+            if again_one:
+                self._place_with_mention(phrase, self._owners(phrase))
+            if every or those or again_one or (generic and self._named_before(phrase)):
                 self._of_all(phrase)
             else:
                 self._of_one(phrase)
@@ -66,11 +73,13 @@ class _Households:
             if rooms is not None and not any(room.room_type.endswith("bedroom") for room in rooms):
                 rooms.insert(0, size)
         self._counts_behind()
+        self._of_rooms_within()
 
     def _of_one(self, unit: Phrase) -> None:
         """Read what follows a unit that the brief asks for."""
         rooms, end = self.lists.after(unit.last, always=False, guests=unit.room_type in LODGINGS)
         if rooms:
+            self._place_with_mention(unit, [unit.first])
             self._give(self._same_noun(unit.first), rooms)
             if not any(unit.last <= place.first < rooms[0].first for place in self.places):
                 self.found.ends[unit.first] = end
@@ -108,6 +117,24 @@ class _Households:
     def _leads_list(self, unit: Phrase) -> bool:
         """Whether what a unit holds follows right after it: "Upstairs the flat: two bedrooms"."""
         return self.reading.word(unit.last) in (":", "has", "with", "have", "contain", "get")
+
+    def _is_spoken_of_again(self, unit: Phrase) -> bool:
+        """Whether "Flat upstairs: two bedrooms" tells what is in the flat that an earlier sentence names."""
+        bare = not (unit.counted or unit.plural) and unit.determiner in ("", "the") and unit.name in GENERAL
+        return bare and any(
+            p.first < unit.first
+            and p.name.endswith(f"_{unit.name}")
+            and self.found.units.get(p.first) == []
+            and self.reading.sentence[p.first] < self.reading.sentence[unit.first]
+            for p in self.phrases
+        )
+
+    def _place_with_mention(self, unit: Phrase, owners: Sequence[int]) -> None:
+        """Put flats on the storey that "Flat upstairs: ..." names between the flat and its rooms."""
+        place = next((place for place in self.places if place.first == unit.last), None)
+        if place is not None and self.reading.word(place.last) == ":":
+            for owner in owners:
+                self.found.headed.setdefault(owner, place.refs)
 
     def _named_before(self, unit: Phrase) -> bool:
         return any(p.first < unit.first and p.first in self.found.units and _alike(unit, p) for p in self.phrases)
@@ -195,6 +222,30 @@ class _Households:
             self._give([index], rooms)
             self._give([unit.first], later)
 
+    def _shares(self) -> None:
+        """Read how many of some flats have how many bedrooms."""
+        reading = self.reading
+        for unit in [p for p in self.phrases if p.first in self.found.units and p.first not in self.found.sizes]:
+            shares = shares_of(reading, unit)
+            for number, share in enumerate(shares):
+                beds = Phrase("room", share.bedrooms, share.bedrooms, share.last, share.last, "bedroom", name="bedroom",
+                              label="bedroom", count=share.beds, counted=True, plural=share.beds > 1)  # fmt: skip
+                put_phrase(reading, self.phrases, beds)
+                self.found.inner.add(beds.first)
+                self.shared |= {unit.first, share.first}
+                if number == 0:
+                    at = next(n for n, p in enumerate(self.phrases) if p.first == unit.first)
+                    self.phrases[at] = replace(unit, count=share.count)
+                    self.found.sizes[unit.first] = beds
+                    reading.take(share.first, share.last)
+                    continue
+                part = parted(unit, share)
+                put_phrase(reading, self.phrases, part)
+                reading.take(share.first, share.last)
+                self.found.copies[part.first] = unit.first
+                self.found.units[part.first] = list(self.found.units[unit.first])
+                self.found.sizes[part.first] = beds
+
     def _counts_behind(self) -> None:
         """Read "flats of two bedrooms and a bathroom, three on each floor": the number stands behind."""
         reading = self.reading
@@ -210,6 +261,21 @@ class _Households:
                 self.found.ends[phrase.first] = index + 1
                 reading.take(index, index + 1)
 
+    def _of_rooms_within(self) -> None:
+        """Read "every bedroom has its own shower room" of the bedrooms that each unit holds."""
+        for phrase in [p for p in self.phrases if p.head == "room" and p.determiner in ("each", "every")]:
+            units = {
+                first: next(room for room in rooms if room.room_type == phrase.room_type)
+                for first, rooms in self.found.units.items()
+                if any(room.room_type == phrase.room_type and room.first != phrase.first for room in rooms)
+            }
+            if phrase.first in self.found.inner | self.found.again or phrase.first in self.found.units or not units:
+                continue
+            rooms, _ = self.lists.after(phrase.last, always=True, guests=True)
+            for first, room in units.items():
+                self._give([first], [replace(own, count=room.count) for own in rooms])
+            self.found.again |= {phrase.first} if rooms else set()
+
     def _give(self, owners: Sequence[int], rooms: Sequence[Phrase]) -> None:
         for owner in owners:
             held = self.found.units.setdefault(owner, [])
@@ -222,6 +288,8 @@ def _alike(first: Phrase, second: Phrase) -> bool:
     """Whether "each flat" may mean units that are called otherwise."""
     if first.room_type == "team_room" or second.room_type == "team_room":
         return first.room_type == second.room_type
+    if first.room_type == second.room_type == "common_room":
+        return first.name.rpartition("_")[2] == second.name.rpartition("_")[2]
     return first.name == second.name or first.name.rpartition("_")[2] in GENERAL
 
 

@@ -8,7 +8,7 @@ from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.relation_rooms import Relation
 from mansion_planner.brief.storey_attachment import Attachment
 
-__all__ = ["give_areas_of_mentions", "place_by_mentions", "tell_rooms_within"]
+__all__ = ["elsewhere_by_another_word", "give_areas_of_mentions", "place_by_mentions", "tell_rooms_within"]
 
 _FURTHER = frozenset("second third another further additional extra".split())
 """Words for one more of a room that is named before."""
@@ -48,6 +48,34 @@ def _said_of_all(phrases: list[Phrase], same: dict[int, int], wanted: Sequence[i
             same[number] = named[-1]
         elif number not in same:
             named.append(number)
+
+
+def elsewhere_by_another_word(
+    phrases: Sequence[Phrase], same: Mapping[int, int], attached: Mapping[int, Attachment]
+) -> list[int]:
+    """Return the mentions that are rooms of their own: "the living room" upstairs is no "sitting room" downstairs.
+
+    Parameters
+    ----------
+    same : mapping of int to int
+        For a mention that is taken for another one, the phrase that names it first.
+    attached : mapping of int to Attachment
+        Storeys by phrase.
+    """
+    return [
+        number
+        for number, named in same.items()
+        if number in attached
+        and named in attached
+        and attached[number].refs != attached[named].refs
+        and phrases[number].determiner == "the"
+        and not _is_called_alike(phrases[number].name, phrases[named].name)
+    ]
+
+
+def _is_called_alike(name: str, other: str) -> bool:
+    """Whether one of two names is the other in short, or has all of its words but the last."""
+    return name.endswith(other) or other.endswith(name) or name.split("_")[0] == other.split("_")[0]
 
 
 def tell_rooms_within(reading: Reading, phrases: Sequence[Phrase], same: Mapping[int, int]) -> None:
@@ -93,7 +121,7 @@ def _placed_later(
     rooms = [n for n in wanted if n not in same]
     for number in rooms:
         phrase = phrases[number]
-        if number not in attached or phrase.counted or phrase.plural or phrase.determiner not in ("", "the"):
+        if number not in attached or phrase.counted or phrase.determiner not in ("", "the"):
             continue
         if not _FURTHER.isdisjoint(reading.words(phrase.first - 1, phrase.begin + 1)):
             continue
@@ -109,7 +137,8 @@ def _placed_later(
 def _is_later_mention(reading: Reading, room: Phrase, phrase: Phrase) -> bool:
     """Whether a phrase has the name of one room that an earlier sentence names."""
     earlier = reading.sentence[room.first] < reading.sentence[phrase.first]
-    return room.name == phrase.name and room.count == 1 and earlier
+    several = phrase.plural and room.counted and (room.count or 0) > 1
+    return room.name == phrase.name and earlier and (several or (room.count == 1 and not phrase.plural))
 
 
 def _placed_again(

@@ -4,6 +4,7 @@ from mansion_planner.brief.cellars import keeps_goods
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.storey_counts import CLOSERS, UPSTAIRS
+from mansion_planner.brief.whole_storeys import HOLDING_ROOMS
 
 __all__ = ["COPULAS", "TOPS", "NamedStoreys"]
 
@@ -115,8 +116,21 @@ class NamedStoreys:
             return True
         if reading.words(index + 1, index + 3) == ("only", ":") and reading.starts(index):
             return True
+        room = reading.mention_at.get(index + 1)
+        if reading.starts(index) and room is not None and room.room and self._heads_with_ordinals(index):
+            return True  # "Ground bar and shop. Second: six rooms."
+        if lead == "," and following == ":":
+            return True  # "in a Nordic style, ground: a kitchen"
         led = lead in ("the", "on", "at") or reading.starts(index) or (lead == "in" and reading.starts(index - 1))
         return led and following in CLOSERS | _AFTER_GROUND
+
+    def _heads_with_ordinals(self, index: int) -> bool:
+        """Whether later sentences open with an ordinal and a colon: "Second: six rooms"."""
+        reading = self.reading
+        return any(
+            reading.kind(at) == "ordinal" and reading.starts(at) and reading.word(at + 1) == ":"
+            for at in range(index + 1, len(reading.tokens))
+        )
 
     def _is_bottom(self, index: int) -> bool:
         """Whether "bottom" or "lowest" stands for the ground floor: "at the bottom a shop", "the very bottom"."""
@@ -173,10 +187,26 @@ class NamedStoreys:
             return [FloorRef("top")], index + 3
         ours = word == "loft" and reading.word(index - 1) in ("our", "my")  # a flat
         attic = word in ("attic", "loft") and (following == ":" or self._is_place(index)) and not ours
+        attic = attic or self._is_attic_storey(index)
         highest = word in ("uppermost", "topmost", "highest") and self._names_storey(index)
         if attic or highest or self._is_at_the_top(index):
             return [FloorRef("top")], index + 1
         return None
+
+    def _is_attic_storey(self, index: int) -> bool:
+        """Whether an attic is spoken of that was counted as a storey before: "the attic holds three rooms"."""
+        reading = self.reading
+        if reading.word(index) not in ("attic", "loft") or reading.word(index - 1) != "the":
+            return False
+        counted = any(
+            (token.text == reading.word(index) and at in reading.taken)
+            or (token.text in FLOOR_WORDS and reading.word(index) in reading.text[token.start : token.end].lower())
+            for at, token in enumerate(reading.tokens[:index])
+        )
+        opens = reading.starts(index - 1) or reading.word(index - 2) in (";", ",", "and")
+        return counted and (
+            (opens and reading.word(index + 1) in HOLDING_ROOMS) or reading.word(index - 2) in ("in", "on")
+        )
 
     def _is_roof(self, index: int) -> bool:
         """Whether a roof stands for the top storey: "under the roof", "on the rooftop"."""
@@ -241,7 +271,7 @@ class NamedStoreys:
             return True
         inside = reading.words(index - 2, index) == ("in", "the")
         opens = reading.starts(index - 2) or reading.word(index - 3) in (",", ";", "and")
-        goes_on = reading.word(index + 1) in ("a", "an", "are", "there", ",", "with") or self._counts(index + 1)
+        goes_on = reading.word(index + 1) in ("a", "an", "the", "are", "there", ",", "with") or self._counts(index + 1)
         others = [i for i, token in enumerate(reading.tokens) if token.text == reading.word(index) and i != index]
         return inside and ((opens and goes_on) or reading.word(index + 1) in CLOSERS) and not others
 
@@ -288,9 +318,16 @@ class NamedStoreys:
             return [FloorRef("upper")], index + 2
         if reading.words(index, index + 4) == ("all", "the", "way", "up") and reading.word(index + 4) in CLOSERS:
             return [FloorRef("upper")], index + 4
+        if word == "main" and following in FLOOR_WORDS and self._lies_between():
+            return [FloorRef("middle")], index + 2
         if word == "middle" and (following in FLOOR_WORDS or (following == "one" and self._names_storey(index + 1))):
             return [FloorRef("middle")], index + 2
         return ([FloorRef("middle")], index + 1) if self._is_middle(index) else None
+
+    def _lies_between(self) -> bool:
+        """Whether a storey at the bottom and one at the top are named beside the main one."""
+        texts = {token.text for token in self.reading.tokens}
+        return bool(texts & {"bottom", "lowest"}) and bool(texts & {"top", "uppermost"})
 
     def _upper_range(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "upper floors 2-4"."""

@@ -9,6 +9,7 @@ from dataclasses import replace
 from mansion_planner.brief.figurative_nouns import is_figurative, is_modifier
 from mansion_planner.brief.furniture_words import furniture_of, own_furniture_of
 from mansion_planner.brief.lexicon import Mention, lexicon_of
+from mansion_planner.brief.list_entries import listed_unknowns
 from mansion_planner.brief.own_names import by_own_name, with_own_names
 from mansion_planner.brief.phrase import (
     FUNCTION_WORDS,
@@ -24,14 +25,7 @@ from mansion_planner.brief.phrase import (
 )
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.repeated_names import further_ones
-from mansion_planner.brief.room_names import (
-    coordinated,
-    designated_nouns,
-    listed_unknowns,
-    with_designators,
-    with_purpose,
-    with_sizes,
-)
+from mansion_planner.brief.room_names import coordinated, designated_nouns, with_designators, with_purpose, with_sizes
 from mansion_planner.brief.room_users import with_users, with_users_before
 from mansion_planner.brief.rooms_named_again import room_by_its_contents, rooms_named_again
 from mansion_planner.brief.rooms_of_staff import OFFICE_HOLDERS, with_rooms_of_staff
@@ -127,6 +121,7 @@ def _chunks(reading: Reading) -> list[tuple[int, int]]:
                 or _is_modifier(reading, index)
             )
             and reading.word(index) not in FLOOR_WORDS
+            and reading.words(index, index + 3) != ("wall", "to", "wall")
         )
         glued = (
             index < len(reading.tokens) - 1
@@ -331,7 +326,9 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
         if last == "studio" and _names_use(reading, begin, end):
             return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
         if last == "suite" and not mention.building and _names_use(reading, begin, end):
-            kind = told_room_type(name_of(reading, begin, end), reading.knowledge) or HEAD_TYPES[last]
+            slept = _mention_ending(reading, begin, end - 1)
+            kind = slept.room if slept is not None and slept.room in _SLEPT_IN else ""
+            kind = kind or told_room_type(name_of(reading, begin, end), reading.knowledge) or HEAD_TYPES[last]
             return finished_phrase(reading, "room", begin, end, room=kind, known=False)
         if last == "hall" and name_of(reading, begin, end) != "hall":
             room = _hall_of(reading, begin, end)
@@ -339,6 +336,8 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
     return finished_phrase(reading, head, begin, end, room=room, building=mention.building, mention=mention)
 
 
+_SLEPT_IN = frozenset({"bedroom", "guest_room", "childrens_room"})
+"""Types of rooms of which a suite is one, with what goes with it."""
 _PRACTICES = frozenset({"dentist"})
 """Those whose practices are called after them: a mall with two dentists."""
 

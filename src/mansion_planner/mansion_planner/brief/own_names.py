@@ -32,7 +32,7 @@ def with_own_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
             return [replace(_named(phrase, reading.span(begin, end).words), last=end + 1)]
     if not called:
         return [phrase]
-    names = _capitals(reading, last + 1)
+    names = capitals(reading, last + 1)
     if not names:
         return [phrase]
     end = names[-1][1]
@@ -45,7 +45,7 @@ def with_own_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
     return [one_of(room, *name) for name, room in zip(names, named)]
 
 
-def _capitals(reading: Reading, index: int) -> list[tuple[int, int]]:
+def capitals(reading: Reading, index: int) -> list[tuple[int, int]]:
     """Return a list of names in capitals as pairs of tokens: "Pharaoh's Tomb, Submarine and Moon Base"."""
     names: list[tuple[int, int]] = []
     while reading.kind(index) in ("word", "number", "ordinal") and reading.tokens[index].capital:

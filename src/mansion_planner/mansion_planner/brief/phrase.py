@@ -28,7 +28,7 @@ __all__ = [
 
 Head: TypeAlias = Literal["room", "building", "stair", "elevator", "object", "people", "unknown"]
 
-BARE_BUILDINGS = frozenset({"building", "complex"})
+BARE_BUILDINGS = frozenset({"building", "complex", "place", "tower", "tower_block"})
 """Names of a building that say nothing of its use: its rooms do."""
 
 FUNCTION_WORDS = frozenset(
@@ -189,8 +189,10 @@ def finished_phrase(
     name = name_of(reading, begin, end, core=mention.first if mention is not None else end - 1)
     named = begin + (begin < end - 1 and _measures_places(reading, begin))
     label = reading.text[reading.tokens[named].start : reading.tokens[end - 1].end]
-    if named and reading.tokens[named - 1].start == reading.tokens[named].start:
+    before = reading.tokens[named - 1]
+    if named and before.start == reading.tokens[named].start and before.end > before.start:
         label = re.split(r"[-\s]", label, maxsplit=1)[-1]  # "seat" of "a 200-seat theatre"
+    label = label or " ".join(reading.words(named, end))  # a noun that the text leaves out
     return Phrase(
         head,
         first,
@@ -245,7 +247,7 @@ _DETERMINERS = frozenset(
 )
 _BEFORE_THEM_ANOTHER = frozenset({"own", "more", "few"})
 """Determiners that another one may stand before: "its own", "two more", "a few"."""
-_BETWEEN = frozenset({"other", "such", "very", "same", "separate", "open"})
+_BETWEEN = frozenset({"other", "such", "very", "same", "separate", "open", "identical", "equal", "similar"})
 """Words between a count or a determiner and its noun."""
 _BEFORE_COUNTS = frozenset({"the", "these", "those", "both", "all", "our", "each", "every"})
 """Determiners of a phrase that has a count: "the four bedrooms"."""
@@ -334,6 +336,8 @@ def _passed_over(reading: Reading, index: int, end: int) -> int:
 def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     """Read "(4)", "x3", ": five of them", ", 18 no." after a head; return where it ends and the number."""
     word = reading.word(end)
+    if _is_bare_count(reading, end):
+        return end + 1, int(reading.value(end))
     value = reading.value(end + 1) if reading.kind(end + 1) == "number" else 0.0
     whole = is_whole_count(value)
     if word == "(" and whole and _closes_classified(reading, end + 2):
@@ -373,9 +377,44 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
         return end + 2, int(value)
     if word in ("-", "–", ":") and whole and reading.plural(end - 1) and _ends_entry(reading, end + 2):
         return end + 2, int(value)
+    several = reading.plural(end - 1) and end - 1 not in reading.taken
+    if word == "," and whole and several and _is_closed(reading, end + 2) and not _counts_places(reading, end - 1):
+        return end + 2, int(value)  # "judges' chambers, five, and a library"
     if word in (",", ":") and whole and reading.word(end + 2) in ("no", "nos", "number", "off", "pcs", "piece"):
         return end + 3 + (reading.word(end + 3) == "."), int(value)
     return end, None
+
+
+def _is_bare_count(reading: Reading, index: int) -> bool:
+    """Whether a number at a token counts the nouns right before it: "bathrooms one on each floor", "offices 6,"."""
+    counts = reading.kind(index) == "number" and index not in reading.taken and is_whole_count(reading.value(index))
+    if not counts or not reading.plural(index - 1) or _counts_places(reading, index - 1):
+        return False
+    shared = reading.words(index + 1, index + 3) in (
+        ("on", "each"),
+        ("on", "every"),
+        ("per", "floor"),
+        ("per", "storey"),
+    )
+    return shared or (reading.value(index) <= _MOST_BEHIND and _is_closed(reading, index + 1))
+
+
+_MOST_BEHIND = 40
+"""The largest number that counts what stands right before it; a larger one is a name or an area."""
+
+
+def _is_closed(reading: Reading, index: int) -> bool:
+    """Whether an entry of a list ends at a token, and no range of numbers goes on."""
+    return (
+        reading.breaks(index)
+        or reading.word(index) in (")", ";")
+        or (reading.word(index) == "," and reading.kind(index + 1) != "number")
+    )
+
+
+def _counts_places(reading: Reading, index: int) -> bool:
+    """Whether a noun is of storeys or of people, which a number behind it does not count as rooms."""
+    return reading.word(index) in FLOOR_WORDS | PEOPLE
 
 
 _LEAST_AREA = 6

@@ -47,7 +47,12 @@ from mansion_planner.brief.flat_upstairs import give_rooms_to_flat
 from mansion_planner.brief.furnishings import read_furnishings
 from mansion_planner.brief.heights import read_heights
 from mansion_planner.brief.households import read_households
-from mansion_planner.brief.later_mentions import give_areas_of_mentions, place_by_mentions, tell_rooms_within
+from mansion_planner.brief.later_mentions import (
+    elsewhere_by_another_word,
+    give_areas_of_mentions,
+    place_by_mentions,
+    tell_rooms_within,
+)
 from mansion_planner.brief.measures import find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.niches import read_niches
@@ -216,6 +221,10 @@ class _Reader:
         """Find which phrases name the same rooms, and give those what each of their mentions says."""
         reading, wanted = self.reading, self._wanted_rooms()
         self.same, self.groups = coreferences(reading, self.phrases, wanted, self.relations)
+        operands = {n for relation in self.relations for n in (*relation.lefts, *relation.rights)}
+        for number in elsewhere_by_another_word(self.phrases, self.same, self.attached):
+            if number not in operands:
+                del self.same[number]
         tell_rooms_within(reading, self.phrases, self.same)
         give_areas_of_mentions(reading, self.phrases, self.same, wanted)
         place_by_mentions(reading, self.phrases, self.attached, self.same, wanted, self.relations)

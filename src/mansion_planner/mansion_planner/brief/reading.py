@@ -8,6 +8,7 @@ from mansion_language import Token, tokenize
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.activities import activities, entrances
 from mansion_planner.brief.added_storeys import added_storeys
+from mansion_planner.brief.alternatives import chosen
 from mansion_planner.brief.children_groups import children_groups
 from mansion_planner.brief.conversions import without_conversions
 from mansion_planner.brief.corrections import corrected_numbers
@@ -17,13 +18,17 @@ from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.garages import garages
+from mansion_planner.brief.glosses import without_glosses
+from mansion_planner.brief.kinds_of_rooms import kinds_of_rooms
 from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.masters_bathroom import masters_bathroom
 from mansion_planner.brief.paired_nouns import paired_nouns
+from mansion_planner.brief.recalled_wishes import without_recalled_wishes
 from mansion_planner.brief.relative_areas import relative_areas
 from mansion_planner.brief.rooms_by_number import rooms_by_number
 from mansion_planner.brief.rooms_by_person import rooms_by_person
+from mansion_planner.brief.rooms_by_sex import rooms_by_sex
 from mansion_planner.brief.seated_people import seated_people
 from mansion_planner.brief.shortened_nouns import shortened_nouns
 from mansion_planner.brief.single_floors import single_flats, single_floors
@@ -228,15 +233,10 @@ class Reading:
 def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], bool] = lambda: False) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
-    tokens, corrections = corrected_numbers(
-        without_asides(
-            spoken_turns(
-                shortened_nouns(
-                    without_conversions(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à")))))
-                )
-            )
-        )
-    )
+    tokens = without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à"))))
+    tokens = chosen(without_conversions(without_recalled_wishes(without_glosses(tokens))))
+    tokens = spoken_turns(kinds_of_rooms(rooms_by_sex(shortened_nouns(tokens))))
+    tokens, corrections = corrected_numbers(without_asides(tokens))
     tokens = labelled_rooms(
         paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS))))
     )

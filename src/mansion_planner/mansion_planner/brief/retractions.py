@@ -22,6 +22,10 @@ _WHOLE = frozenset((verb, "that") for verb in ("scrap", "scratch", "strike", "fo
 """Signs that take back what the sentence before names, too."""
 _WITHDRAWING = (
     *[(verb,) for verb in ("forget", "scrap", "scratch", "cancel", "skip", "drop", "strike")],
+    *[(verb,) for verb in ("remove", "delete", "ditch", "cut", "omit", "replace")],
+    ("take", "out"),
+    ("get", "rid", "of"),
+    ("do", "without"),
     ("forget", "about"),
     ("never", "mind"),
     ("leave", "out"),
@@ -72,7 +76,7 @@ def _without_withdrawn(reading: Reading, phrases: Sequence[Phrase]) -> list[Phra
     """
     dropped: set[int] = set()
     for number, phrase in enumerate(phrases):
-        words = _withdrawing(reading, phrase.first)
+        words = _withdrawing(reading, phrase.first) or int(_is_dropped_after_all(reading, phrase))
         earlier = _named_before(reading, phrases, number) if words else None
         if earlier is None or earlier in dropped:
             continue
@@ -85,6 +89,19 @@ def _without_withdrawn(reading: Reading, phrases: Sequence[Phrase]) -> list[Phra
             reading.take(phrase.first - words, phrase.last)
     _take_withdrawn_words(reading, phrases)
     return [phrase for number, phrase in enumerate(phrases) if number not in dropped]
+
+
+_AFTER_ALL = frozenset({("sorry", ","), ("well", ","), ("wait", ","), ("no", "wait"), ("oh", "wait"), ("no", ",")})
+"""What stands before "no garage" where a garage was wanted before."""
+
+
+def _is_dropped_after_all(reading: Reading, phrase: Phrase) -> bool:
+    """Whether "no sauna after all", "no sauna any more" or "sorry, no sauna" takes back what stands before."""
+    if reading.word(phrase.begin - 1) != "no":
+        return False
+    after = reading.words(phrase.last, phrase.last + 2) in (("after", "all"), ("any", "more"))
+    lead = reading.words(phrase.begin - 3, phrase.begin - 1)
+    return after or reading.word(phrase.last) == "anymore" or lead in _AFTER_ALL
 
 
 def _take_withdrawn_words(reading: Reading, phrases: Sequence[Phrase]) -> None:

@@ -81,6 +81,7 @@ def _users_ending_at(reading: Reading, phrase: Phrase, bare: set[int]) -> list[i
             reading.word(joint) not in _JOINTS
             or reading.word(user) not in _USERS_BEFORE
             or user in reading.taken - bare
+            or reading.kind(user - 1) == "number"  # "a prayer hall for 300 men, a women's prayer room"
         ):
             break
         users.insert(0, user)

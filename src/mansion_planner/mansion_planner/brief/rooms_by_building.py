@@ -39,8 +39,6 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
         and phrase.name.partition("_")[0] in _BEDS
     ):
         return replace(phrase, room_type=lodging, known=True)  # "twelve double rooms" of a dormitory
-    if phrase.building and phrase.name == "loft" and family == "home" and not itself:
-        return replace(phrase, head="room", building="", room_type=HEAD_TYPES["loft"], known=True)
     own = None if itself else _by_family(reading, phrase, family)
     if own is not None:
         return own
@@ -53,6 +51,9 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     hall = phrase.name.split("_")[0] == "hall" and phrase.room_type == "hallway"
     big = not _BIG.isdisjoint(reading.words(phrase.first, phrase.noun_end)) and family not in _DWELT_IN
     big = big or (reading.word(phrase.last) == "for" and reading.value(phrase.last + 1) >= _CROWD)
+    big = big or (phrase.name == "hall" and family not in ("", *_DWELT_IN) and _holds_things(reading, phrase))
+    if hall and big and family == "industry":
+        return replace(phrase, room_type="production_hall")
     if hall and (big or sum(phrase.areas[:1]) >= 40.0):
         return replace(phrase, room_type="assembly_hall")
     if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
@@ -75,6 +76,10 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
             kind = elliptic_room_type(tuple(words[:-1]), reading.knowledge)
             told = bool(kind) or is_person(words[-2]) or len(words[-2]) < 3  # "MD cabin"
             return replace(phrase, head="room", building="", room_type=kind or "private_office", known=told)
+        if words[-1] == "house" and phrase.building == "house" and family in _WORKING | {"retail", "health"}:
+            kind = elliptic_room_type(tuple(words[:-1]), reading.knowledge)
+            kind = kind or ("production_hall" if family == "industry" else "storage")
+            return replace(phrase, head="room", building="", room_type=kind, known=False)  # a winery's press house
         if words[-1] == "station" and phrase.building == "train_station" and not phrase.plural:
             return replace(phrase, head="room", building="", room_type=HEAD_TYPES["station"], known=False)
     kinds = [reading.facts.building_name, *(kind for kind, _ in reading.facts.building[:1])]
@@ -95,6 +100,15 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, head="room", building="", room_type="operating_room", known=True)
     if family == "lodging" and phrase.name in _LET:
         return replace(phrase, room_type="hotel_room", known=True)
+    if family in ("home", "") and not phrase.known and _is_of_somebody(words) and phrase.head == "room":
+        return replace(phrase, room_type="childrens_room" if words[0] in _YOUNG else "bedroom", known=True)
+    if family == "home" and phrase.name == "loft" and (phrase.building or phrase.head == "room"):
+        sleeping = reading.word(phrase.last) == "for" and reading.word(phrase.last + 1).startswith("sleep")
+        return replace(phrase, head="room", building="", room_type="bedroom" if sleeping else "attic", known=True)
+    if family == "home" and phrase.name == "parent" and phrase.head == "room":
+        return replace(phrase, room_type="master_bedroom", count=1, counted=False, plural=False)
+    if (family == "home" and phrase.name in _AT_HOME) or (not family and phrase.name == "diner"):
+        return replace(phrase, head="room", building="", room_type=_AT_HOME[phrase.name], known=True)
     if family == "home" and phrase.name == "library" and phrase.room_type == "library":
         return replace(phrase, head="room", building="", room_type="library_room", known=True)
     if family == "home" and phrase.room_type == HEAD_TYPES["chamber"] and phrase.name == "chamber":
@@ -105,6 +119,10 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, room_type="production_hall")
     if phrase.room_type == "car_workshop" and words[-1] == "bay" and _holds_instruments(reading, words, family):
         return replace(phrase, room_type="laboratory", known=True)
+    if family == "health" and words[-1] in ("theatre", "theater") and phrase.room_type == "auditorium":
+        return replace(phrase, head="room", building="", room_type="operating_room", known=True)
+    if family == "lodging" and len(words) > 1 and words[-1] == "room" and _is_slept_in(phrase):
+        return replace(phrase, room_type="hotel_room", known=True)  # a crew hotel's crew rooms
     if family == "sport" and words[-2:] == ["shower", "room"] and not phrase.building:
         return replace(phrase, room_type="shower_area")
     if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:
@@ -112,10 +130,40 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
     return None
 
 
+def _is_of_somebody(words: Sequence[str]) -> bool:
+    """Whether a room is called after a member of a family: "the teenager's room", "grandma's room"."""
+    return len(words) == 2 and words[1] == "room" and words[0] in _YOUNG | _GROWN
+
+
+_YOUNG = frozenset({"teenager", "teen", "son", "daughter", "baby", "toddler"})
+_GROWN = frozenset(
+    {"grandparent", "grandmother", "grandfather", "grandma", "grandpa", "nanny", "mother", "father", "aunt", "uncle"}
+)
+"""Members of a family who have a room of their own in a home."""
+
+
+def _is_slept_in(phrase: Phrase) -> bool:
+    """Whether rooms of a hotel that nobody knows are those that it is for."""
+    many = phrase.name == "private_room" or (phrase.count or 0) >= _MANY
+    return phrase.room_type in _NOT_SLEPT_IN and phrase.counted and many
+
+
+_NOT_SLEPT_IN = frozenset({"break_room", "vip_room", "study_room"})
+_MANY = 6
+"""So many rooms of a name that nobody knows are what a hotel is for."""
+
+
 def _holds_instruments(reading: Reading, words: Sequence[str], family: str) -> bool:
     """Whether a bay is one of a laboratory: an etching bay, a metrology bay."""
     laboratory = family in _INSTRUMENTS or reading.facts.building_like.startswith("laboratory")
     return laboratory and len(words) > 1 and _FOR_CARS.isdisjoint(words)
+
+
+def _holds_things(reading: Reading, phrase: Phrase) -> bool:
+    """Whether something stands in a hall: "a hall for ten buses", "hall with six check-in counters"."""
+    number = phrase.last + 1
+    counted = reading.kind(number) == "number" and reading.value(number) > 1 and reading.kind(number + 1) != "unit"
+    return reading.word(phrase.last) in ("for", "with") and (counted or reading.plural(number))
 
 
 _ENTRANCES = frozenset({"entrance_hall", "entry_hall", "entrance_room"})
@@ -130,8 +178,11 @@ _DWELT_IN = frozenset({"home", "lodging"})
 _WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
 """Families of buildings whose studios are to work in."""
 
-_SLEPT_IN = {"private_room": "bedroom", "parent_room": "master_bedroom"}
-"""Rooms of a home that are to sleep in, and that other buildings have for something else."""
+_AT_HOME = {
+    "private_room": "bedroom", "parent_room": "master_bedroom", "diner": "dining_room", "tech_room": "mechanical_room",
+    "store": "storage",
+}  # fmt: skip
+"""Rooms of a home that other buildings have for something else, by their names."""
 
 _LET = frozenset({"private_room", "family_room"})
 """Rooms of a hostel or a refuge that guests have to themselves."""

@@ -28,6 +28,12 @@ def rooms_by_person(tokens: list[Token]) -> list[Token]:
     result: list[Token] = []
     index = 0
     while index < len(tokens):
+        friends = _friends(tokens, index)
+        if friends is not None:
+            many, last = friends
+            result.append(Token("number", str(many), tokens[index].start, tokens[last].end, float(many)))
+            index = last + 1
+            continue
         found = _owners(tokens, index)
         if found is None:
             result.append(tokens[index])
@@ -43,6 +49,21 @@ def rooms_by_person(tokens: list[Token]) -> list[Token]:
 
 def _text(tokens: list[Token], index: int) -> str:
     return tokens[index].text if 0 <= index < len(tokens) else ""
+
+
+def _friends(tokens: list[Token], index: int) -> tuple[int, int] | None:
+    """Return how many rooms "each of us one bedroom" is after "me and 3 friends", and the token of "one"."""
+    if tuple(token.text for token in tokens[index : index + 3]) != ("each", "of", "us"):
+        return None
+    one = index + 3 + (_text(tokens, index + 3) in _VERBS)
+    if _text(tokens, one) not in ("a", "an", "one"):
+        return None
+    for at in range(index - 3, -1, -1):
+        writer = _text(tokens, at) in ("me", "i", "myself") and _text(tokens, at + 1) in ("and", "plus", "with")
+        number = at + 2 + (_text(tokens, at + 2) in ("my", "the"))
+        if writer and tokens[number].kind == "number":
+            return int(tokens[number].value) + 1, one
+    return None
 
 
 def _owners(tokens: list[Token], index: int) -> tuple[int, int, int] | None:

@@ -93,12 +93,21 @@ def _part(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> _Part | No
     end = part.last
     while reading.word(end) in _VERBS:
         end += 1
+    if _is_bracketed_ensuite(reading, phrases, phrase, part):
+        return part
     if _HAVING.isdisjoint(reading.words(part.last, end)):
         return None
     while reading.word(end) in _OF_THE_ROOM:
         end += 1
     owned = any(p.first <= end <= p.begin + 1 and p.room_type in PRIVATE for p in phrases)
     return part if owned else None
+
+
+def _is_bracketed_ensuite(reading: Reading, phrases: list[Phrase], phrase: Phrase, part: _Part) -> bool:
+    """Whether a bracket only tells how many are en suite: "three bedrooms (one en-suite)"."""
+    if reading.word(phrase.last) != "(" or part.named is not None:
+        return False
+    return any(p.begin == part.last and p.room_type == "ensuite_bathroom" for p in phrases)
 
 
 def _subject(reading: Reading, phrases: list[Phrase], at: int, *, of_which: bool) -> _Part | None:

@@ -106,6 +106,9 @@ _SHORT = {
 _SLIPS = {
     **dict.fromkeys(("storei", "storeis", "storry", "storrey", "stroey", "stories", "store-y"), "storey"),
     **dict.fromkeys(("aprox", "appr", "cca"), "approx"),
+    "flor": "floor", "grund": "ground", "gruond": "ground", "grnd": "ground", "uper": "upper", "evry": "every",
+    "rom": "room", "loby": "lobby", "gest": "guest", "lugage": "luggage", "kichen": "kitchen", "bathrom": "bathroom",
+    "bedrom": "bedroom", "elavator": "elevator", "toilett": "toilet", "offce": "office",
 }  # fmt: skip
 """Slips in the words that storeys and numbers are read by, before the vocabulary is known."""
 

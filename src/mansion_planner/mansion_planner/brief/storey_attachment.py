@@ -167,7 +167,8 @@ class _Walk:
             roof = self.reading.word(place.last - 1) == "roof" and place.last - place.first < 5
             if scope is not None and roof and not self.reading.starts(place.first):
                 continue  # "second floor: a bedroom under the roof"
-            if place.refs[0].kind == "basement" and self.reading.word(place.last) in HOLDING and rest:
+            holds = place.refs[0].kind == "basement" and self.reading.word(place.last) in HOLDING and rest
+            if holds and not self._opens_sentence(place, left):
                 self._fill_basement(place, left, rest)
                 left += rest[:1]
             elif self._ends_line(place):
@@ -197,6 +198,10 @@ class _Walk:
             else:
                 scope, opened, left = place, True, []
         return scope if opened else None
+
+    def _opens_sentence(self, place: Place, left: list[int]) -> bool:
+        """Whether a sentence is about a storey: "Basement with laundry, a storage room and a gym."."""
+        return not left and any(self.reading.starts(at) for at in range(max(place.first - 2, 0), place.first + 1))
 
     def _fill_basement(self, place: Place, left: list[int], rest: list[int]) -> None:
         """Put into a basement what it holds: "over a basement with parking", "a spa in a basement with two saunas"."""

@@ -8,6 +8,7 @@ from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storeys_below import storeys_below
+from mansion_planner.brief.whole_storeys import all_on_one, attic_above
 
 __all__ = [
     "ANAPHORS",
@@ -183,6 +184,10 @@ class StoreyCounts:
         ):
             self._state(1, index, index + 3)
             return index + 3
+        level = all_on_one(reading, index)
+        if level:
+            self._state(1, index, level)
+            return level
         if word not in ("everything", "all", "wholly", "entirely") or reading.word(index + 1) not in ("on", "at", "in"):
             return index
         last = index + 2
@@ -378,7 +383,7 @@ class StoreyCounts:
 
     def _attic_over_them(self, count: _Count) -> int:
         """Read "2 full floors + attic"."""
-        last = self._attic_above(count.last)
+        last = attic_above(self.reading, count.last)
         if last:
             self._state(count.value + 1, count.first, last)
         return last
@@ -428,21 +433,6 @@ class StoreyCounts:
                 outside = reading.word(end) in ("ground", "grade", "street")
                 return None if outside or reading.words(end, end + 2) == ("the", "ground") else (at, end)
         return None
-
-    def _attic_above(self, last: int) -> int:
-        """Return where "2 full floors + attic" ends, where the brief goes on about what is in the attic; or 0."""
-        reading = self.reading
-        if reading.word(last) not in ("+", "plus", "and"):
-            return 0
-        end = last + 1 + (reading.word(last + 1) in ("a", "an", "the"))
-        if reading.word(end) not in ("attic", "loft"):
-            return 0
-        texts = [token.text for token in reading.tokens]
-        headed = any(
-            (word == "top" and after == "floor") or (word in ("attic", "loft") and after == ":")
-            for word, after in zip(texts[end + 1 :], texts[end + 2 :], strict=False)
-        )
-        return end + 1 if headed else 0
 
     def _storey_below(self) -> int:
         """Return the storey that "above it" counts from: the last one named, else the first; 0 if not numbered."""

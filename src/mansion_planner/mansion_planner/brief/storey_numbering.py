@@ -21,7 +21,8 @@ def counts_from_ground(reading: Reading) -> bool:
         (word, floor) in pairs for word in ("ground", "street", "entrance") for floor in ("floor", "level", "storey")
     )
     ground = ground or any(token.text == ABOVE_GROUND for token in reading.tokens)
-    ground = ground or ("at", "the", "bottom") in zip(words, words[1:], words[2:])
+    elliptic = {("at", "the", "bottom"), ("on", "the", "ground")}
+    ground = ground or any(words_of in elliptic for words_of in zip(words, words[1:], words[2:], strict=False))
     ground = ground or (not _BELOW_STAIRS.isdisjoint(words) and _BASEMENTS.isdisjoint(words))
     if ground and _counts_ground_apart(reading):
         return True

@@ -42,7 +42,28 @@ def read_storeys(reading: Reading) -> list[Place]:
     floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
     places = [_with_edges(reading, place) if place.last > place.first else place for place in scanner.places]
     places = _below_the_top(reading, _narrowed(reading, places))
+    if _ground_has_others(reading):
+        places = [_above_the_ground(place) for place in places]
     return resolve_rest(places, floors)
+
+
+_MAY = frozenset({"can", "may", "could", "might"})
+"""Verbs of what is left open: one storey or the other, and not both."""
+
+
+def _ground_has_others(reading: Reading) -> bool:
+    """Whether the ground floor holds something "instead": what is on every floor is then on the others."""
+    words = [token.text for token in reading.tokens]
+    return any(
+        words[at : at + 1] == ["ground"] and "instead" in words[at + 1 : at + 6] and "of" not in words[at + 1 : at + 7]
+        for at in range(len(words))
+    )
+
+
+def _above_the_ground(place: Place) -> Place:
+    if len(place.refs) != 1 or place.refs[0].kind != "every":
+        return place
+    return replace(place, refs=(replace(place.refs[0], kind="upper"),))
 
 
 def _narrowed(reading: Reading, places: list[Place]) -> list[Place]:
@@ -75,6 +96,8 @@ def _is_apposed(reading: Reading, before: Place, place: Place) -> bool:
 def _below_the_top(reading: Reading, places: list[Place]) -> list[Place]:
     """Read one upper storey beside a top one as the one between: "EG: shop. OG: flat. DG: studio"."""
     kinds = {ref.kind for place in places for ref in place.refs}
+    if "middle" in kinds and "top" not in kinds:
+        return [_as_top(reading, place) for place in places]
     stated = reading.facts.floors and reading.facts.floors[0].value != 3
     if stated or not {"upper", "top"} <= kinds <= {"upper", "top", "basement", "number"}:
         return places
@@ -87,6 +110,19 @@ def _below_the_top(reading: Reading, places: list[Place]) -> list[Place]:
         return place.refs[0].kind == "upper" and not place.refs[0].first and not each and not several
 
     return [replace(place, refs=(replace(place.refs[0], first=1),)) if is_one(place) else place for place in places]
+
+
+def _as_top(reading: Reading, place: Place) -> Place:
+    """Return one upper storey beside a middle one as the top one: "Lowest: a shop. Middle: a hall. Upper: a bakery"."""
+    several = any(reading.plural(at) for at in range(place.first, place.last))
+    one = place.refs[0].kind == "upper" and not place.refs[0].first and reading.word(place.last - 1) in _UPPER_ONE
+    if not one or several or len(place.refs) > 1:
+        return place
+    return replace(place, refs=(replace(place.refs[0], kind="top"),))
+
+
+_UPPER_ONE = FLOOR_WORDS | {"upper", "one", ":", "="}
+"""What ends the name of one upper storey; "upstairs" may be several."""
 
 
 def _with_edges(reading: Reading, place: Place) -> Place:
@@ -480,6 +516,8 @@ class _Scanner:
     def _is_quantifier(self, index: int) -> bool:
         """Whether a token tells of how many storeys something is said; in "90 m2 per floor" it belongs to the area."""
         words = ("every", "each", "all", "per", "both", "any", "either", "whole")
+        if self.reading.word(index) == "either" and not _MAY.isdisjoint(self.reading.words(max(index - 5, 0), index)):
+            return False  # "it can go on either storey"
         per_unit = self.reading.word(index) == "per" and self.reading.kind(index - 1) == "unit"
         return self.reading.word(index) in words and not per_unit
 

@@ -40,6 +40,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
     while index < len(tokens):
         skipped = (
             _sum(tokens, index)
+            or _total_of_each(tokens, index)
             or _at_home(tokens, index)
             or _done_there(tokens, index)
             or _open_anyway(tokens, index)
@@ -96,6 +97,36 @@ def _sum(tokens: list[Token], index: int) -> int:
     end = _end(tokens, number)
     said = {token.text for token in tokens[number:end]}
     return 0 if said & (_HOUSES | set(AREA)) or end - index > 2 * _LONGEST else end - index
+
+
+_IN_ALL = (("in", "all"), ("in", "total"), ("in", "sum"), ("altogether",))
+
+
+def _total_of_each(tokens: list[Token], index: int) -> int:
+    """Return of how many tokens ", 24 in all" or "so 4 bedrooms in sum" is after what each of several has; else 0."""
+    if _word(tokens, index) not in (",", "so", "("):
+        return 0
+    number = index + 1
+    while _word(tokens, number) in (",", "so", "that", "is", "make"):
+        number += 1
+    if number >= len(tokens) or tokens[number].kind != "number":
+        return 0
+    at = number + 1
+    at += at < len(tokens) and tokens[at].kind == "word" and _word(tokens, at) not in ("in", "altogether", "and")
+    texts = tuple(token.text for token in tokens[at : at + 2])
+    total = next((len(words) for words in _IN_ALL if texts[: len(words)] == words), 0)
+    first = index
+    while first > 0 and tokens[first - 1].text not in (".", "\n", "!", "?"):
+        first -= 1
+    said = {token.text for token in tokens[max(first - 1, 0) : index]} | {
+        _word(tokens, at) for at in range(first)[-40:]
+    }
+    shared = not {"each", "every", "per", "both"}.isdisjoint(said)
+    bare = _word(tokens, number - 1) == "so" and at == number + 1 and _word(tokens, at) in _ENDS | {""}
+    if not shared or not (total or bare):
+        return 0
+    end = at + total
+    return end + (_word(tokens, index) == "(" and _word(tokens, end) == ")") - index
 
 
 def _at_home(tokens: list[Token], index: int) -> int:

@@ -3,6 +3,7 @@
 Each home goes over all storeys, so what one has is counted once for each of them in the building that they make.
 """
 
+import itertools
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
@@ -20,6 +21,7 @@ _STOREYS = frozenset("upstairs downstairs below above up down upstair downstair"
 _HAVING = frozenset({"has", "have", "with", "having", "contain", "get", "comprise", "include", "hold", ":", "consist"})
 _ARTICLES = frozenset({"a", "an", "one"})
 _LINKS = frozenset({",", "and", "+", "plus", "&", "with", "/", ":", "of", "has", "have", "having"})
+_ALIKE = frozenset({"same", "mirrored", "identical", "alike", ",", "are", "and", "equal", "halves"})
 _ENDS = frozenset({".", "\n", "!", "?"})
 _MOST = 12
 
@@ -36,14 +38,16 @@ def twin_homes(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token
     if given is None:
         return tokens
     opened, begin, end = given
-    house = replace(tokens[noun], text="house", plural=False, start=tokens[first].start)
+    house = (
+        tokens[noun] if first == noun else replace(tokens[noun], text="house", plural=False, start=tokens[first].start)
+    )
     between = _with_all_areas(_without_sides(tokens[noun + 1 : opened]), many)
     link = (
         []
         if opened < begin and texts[opened - 1] in _ENDS | {";"}
         else [replace(tokens[begin - 1], text=":", kind="mark")]
     )
-    listed = _counted_for_all(tokens[begin:end], many)
+    listed = _counted_for_all(tokens[begin:end], many, floor_words)
     return [*tokens[:first], house, *between, *link, *listed, *_with_all_areas(tokens[end:], many)]
 
 
@@ -65,6 +69,11 @@ def _without_sides(tokens: list[Token]) -> list[Token]:
 
 def _homes(tokens: list[Token]) -> tuple[int, int, int] | None:
     """Return the first token, the noun and the number of homes side by side that a brief tells of."""
+    texts = [token.text for token in tokens]
+    halves = ("both", "half") in itertools.pairwise(texts) or ("each", "half") in itertools.pairwise(texts)
+    if "duplex" in texts and halves:
+        noun = texts.index("duplex")
+        return noun, noun, 2
     for first, token in enumerate(tokens):
         if token.kind != "number" or not 2 <= token.value <= _MOST or token.value != int(token.value):
             continue
@@ -88,12 +97,12 @@ def _each_of_them(tokens: list[Token], index: int) -> tuple[int, int, int] | Non
         if tokens[at].text not in ("each", "every", "both", "all", "per"):
             continue
         begin = at + 1
-        while begin < len(tokens) and begin - at < 5 and tokens[begin].text not in _HAVING:
+        while begin < len(tokens) and begin - at < 8 and tokens[begin].text not in _HAVING:
             begin += 1
         if begin >= len(tokens) or tokens[begin].text not in _HAVING:
             continue
         named = [token.text for token in tokens[at + 1 : begin]]
-        if not set(named) <= _HOMES | {"of", "them", "the", "one", "these", "two"}:
+        if not set(named) <= _HOMES | _ALIKE | {"of", "them", "the", "one", "these", "two"}:
             continue
         begin += 1 + (begin + 1 < len(tokens) and tokens[begin + 1].text in ("of", "its", "their"))
         end = begin
@@ -103,18 +112,18 @@ def _each_of_them(tokens: list[Token], index: int) -> tuple[int, int, int] | Non
     return None
 
 
-def _counted_for_all(tokens: list[Token], many: int) -> list[Token]:
-    """Return a list of rooms with their numbers times that of the homes."""
+def _counted_for_all(tokens: list[Token], many: int, floor_words: AbstractSet[str]) -> list[Token]:
+    """Return a list of rooms with their numbers times that of the homes; storeys they have in common."""
     result: list[Token] = []
     for index, token in enumerate(tokens):
         following = tokens[index + 1] if index + 1 < len(tokens) else None
         before = tokens[index - 1].text if index else ","
-        measured = following is not None and following.kind == "unit"
+        measured = following is not None and (following.kind == "unit" or following.text in floor_words)
         if token.kind == "number" and not measured and before not in ("of", "for", "x"):
             result.append(_number(token, int(token.value) * many))
         elif token.text in _ARTICLES or (token.text in ("its", "own", "their") and before in _LINKS):
             result.append(_number(token, many))
-        elif token.kind == "word" and before in {",", "and", "+", "plus", "&", "/"} and _is_bare(token):
+        elif token.kind == "word" and before in _STOREYS | {",", "and", "+", "plus", "&", "/"} and _is_bare(token):
             result += [_number(replace(token, end=token.start), many), token]
         elif token.text not in ("own", "its"):
             result.append(token)

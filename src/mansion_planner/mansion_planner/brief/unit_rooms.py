@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from mansion_planner.brief.persons import is_person
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.some_en_suite import bathroom_of_some
@@ -150,9 +151,12 @@ class UnitRooms:
             if kind == "unit" or (kind == "number" and self._in_measure(index)):
                 index += 1
                 continue
+            if word == "for" and reading.kind(index + 1) == "number" and is_person(reading.word(index + 2)):
+                index += 3  # "an apartment for 6 persons (three bedrooms, two baths)"
+                continue
             if self._room_at(index) is not None or not (word in _LINKS or word in _STRONG or word in _BETWEEN):
                 break
-            linked = linked or (word in _LINKS and not self._before_measure(index))
+            linked = linked or (word in _LINKS and (word == "(" or not self._before_measure(index)))
             of_area = word in _STRONG and reading.kind(index - 1) == "unit"
             of_storeys = index == start and reading.word(index + 1) in (",", "and")  # "five dorm rooms each and a gym"
             strong = strong or (word in _STRONG and not (of_area or of_storeys) and reading.word(index + 1) != ",")
@@ -223,9 +227,23 @@ class UnitRooms:
         ):  # fmt: skip
             index = next(i for i in range(ahead, ahead + 3) if reading.kind(i) == "unit") + 1
             index += reading.word(index) == ")"
+        if reading.word(index) == "for" and reading.kind(index + 1) == "number" and reading.kind(index + 2) == "mark":
+            index += 2  # "a dining room for 16,"
         index += reading.word(index) in _BESIDE and reading.word(index + 1) in (",", "and")
+        index = self._after_furniture(index)
         each = reading.word(index) in _STRONG and not self._room_at(index)
         return index + each, each
+
+    def _after_furniture(self, index: int) -> int:
+        """Return the token after the furniture that a room has: "a work area with three desks and an archive"."""
+        joints: tuple[str, ...] = ("with",)
+        while self.reading.word(index) in joints:
+            things = (p for p in self.phrases if p.head == "object" and 0 <= p.first - index - 1 <= 1)
+            thing = next(things, None)
+            if thing is None:
+                break
+            index, joints = thing.last, ("and", ",")
+        return index
 
     def _living_at(self, index: int) -> Phrase | None:
         """Return the living room of "open kitchen-living", which has no noun of its own."""

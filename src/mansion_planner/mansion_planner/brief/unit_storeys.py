@@ -30,7 +30,9 @@ def attach_units(
         number = numbers.get(first)
         if number is None or first in households.copies:
             continue
-        if first in households.floors and number not in found:
+        if first in households.headed:
+            found[number] = Attachment(households.headed[first])
+        elif first in households.floors and number not in found:
             found[number] = Attachment(households.floors[first], each=True)
         if number in found:
             found[number] = _narrowed(reading, places, phrases[number], found[number])

@@ -21,7 +21,7 @@ def unit_totals(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Toke
     "Walk-up with six units: three floors, two flats on every floor" has six flats; "each of floors 2 to 4 is one living
     group: ... The three groups are identical" tells of storeys that are identical.
     """
-    return _named_storeys(_without_total(tokens, floor_words), floor_words)
+    return _named_storeys(_without_total(_without_sum(tokens, floor_words), floor_words), floor_words)
 
 
 def _text(tokens: list[Token], index: int) -> str:
@@ -36,6 +36,27 @@ def _storeys(tokens: list[Token], floor_words: AbstractSet[str]) -> int:
         if token.kind == "number" and noun.text in floor_words and token.value > 1
     ]
     return max(counts, default=0)
+
+
+def _without_sum(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Return the tokens without the flats that a colon after each storey parts: "4 flats on every floor: two ..."."""
+    for first in range(len(tokens) - 4):
+        total, noun = tokens[first], tokens[first + 1]
+        at = first + 2 + (_text(tokens, first + 2) in ("on", "in", "at"))
+        apiece = total.kind == "number" and noun.text in _UNITS and _text(tokens, at) in _EACH
+        if not apiece or _text(tokens, at + 1) not in floor_words or _text(tokens, at + 2) != ":":
+            continue
+        end = at + 3
+        while end < len(tokens) and tokens[end].text not in (".", "\n", ";"):
+            end += 1
+        parts = [
+            tokens[k].value
+            for k in range(at + 3, end - 1)
+            if tokens[k].kind == "number" and tokens[k].spaced and tokens[k - 1].text in (":", ",", "and", "plus", "&")
+        ]
+        if len(parts) > 1 and sum(parts) == total.value:
+            return [*tokens[:first], *tokens[first + 2 :]]
+    return tokens
 
 
 def _without_total(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field, replace
 
 from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.groups import groups_of_rooms, named_again
 from mansion_planner.brief.phrase import Phrase, finished_phrase
 from mansion_planner.brief.reading import Reading
 
@@ -10,6 +11,7 @@ __all__ = [
     "ALL",
     "GENERAL",
     "LODGINGS",
+    "TELLING",
     "Households",
     "are_dwellings",
     "are_units",
@@ -49,6 +51,8 @@ _ADJECTIVES = 2
 _ROWS = _ONE_HOME | {"house", "townhouse", "villa", "bungalow", "cottage"}
 
 _BEDS = frozenset({"bed", "bedroom", "br", "bedroomed", "bedded", "bdr"})
+TELLING = frozenset({"has", "consist", "consists", "contain", "contains", "comprise", "comprises", "have", "hold", "="})
+"""Verbs after "a cluster" that tell what each of the clusters holds."""
 ALL = frozenset({"each", "every", "all", "both", "per"})
 """Determiners that speak of all units of a kind."""
 
@@ -75,6 +79,8 @@ class Households:
         Token after all that is said of a unit without a storey in between.
     floors : dict of int to tuple of FloorRef
         Storeys that stand in another form than a place ("four flats a floor").
+    headed : dict of int to tuple of FloorRef
+        Storeys that stand between a unit and the list of its rooms ("Flat upstairs: ...").
     """
 
     units: dict[int, list[Phrase]] = field(default_factory=dict)
@@ -85,6 +91,7 @@ class Households:
     sizes: dict[int, Phrase] = field(default_factory=dict)
     ends: dict[int, int] = field(default_factory=dict)
     floors: dict[int, tuple[FloorRef, ...]] = field(default_factory=dict)
+    headed: dict[int, tuple[FloorRef, ...]] = field(default_factory=dict)
 
     @property
     def read(self) -> set[int]:
@@ -144,6 +151,7 @@ class _Units:
     def __init__(self, reading: Reading, phrases: list[Phrase], building: int | None) -> None:
         self.reading, self.phrases, self.building = reading, phrases, building
         self.found = Households()
+        self.groups: set[int] = set()
         kinds = reading.facts.building
         self.one_home = bool(kinds) and kinds[0][0] in _ONE_HOME
         self.at_home = not kinds or reading.knowledge.buildings[kinds[0][0]].family == "home"
@@ -152,6 +160,7 @@ class _Units:
         """Find the nouns, then the units among them."""
         self._leave_out()
         self._further_nouns()
+        self._groups()
         self._units()
 
     def _leave_out(self) -> None:
@@ -194,14 +203,43 @@ class _Units:
             phrase = finished_phrase(reading, "room", begin, index + 1, room=kind)
             reading.taken |= taken
             counted = phrase.counted and (phrase.count or 0) > 1 and phrase.plural
-            if counted or (phrase.determiner in ALL and any(p.room_type == kind for p in self.phrases)):
+            generic = phrase.determiner in ALL or (phrase.determiner in ("a", "an", "one") and self._tells(phrase))
+            if counted or (generic and any(p.room_type == kind for p in self.phrases)):
                 put_phrase(reading, self.phrases, phrase)
+
+    def _tells(self, phrase: Phrase) -> bool:
+        """Whether it is told what such a unit holds: "a cluster consists of six rooms"."""
+        return self.reading.word(phrase.last) in TELLING
 
     def _is_home(self) -> bool:
         """Whether the brief is about a home."""
         own = next((phrase for phrase in self.phrases if phrase.first == self.building), None)
         record = None if own is None else self.reading.knowledge.buildings.get(own.building)
         return record is not None and record.family == "home"
+
+    def _groups(self) -> None:
+        """Add the groups of rooms that each hold the same."""
+        if self._is_home() or self.one_home:
+            return
+        for group in groups_of_rooms(self.reading, self.phrases):
+            for phrase in group:
+                put_phrase(self.reading, self.phrases, phrase)
+                self.groups.add(phrase.first)
+                self.found.copies |= {phrase.first: group[0].first} if phrase is not group[0] else {}
+            self._spoken_of(group[0])
+            for name in named_again(self.reading, group):
+                put_phrase(self.reading, self.phrases, name)
+
+    def _spoken_of(self, group: Phrase) -> None:
+        """Add the phrases that speak of each of some groups: "every household has a kitchen"."""
+        reading = self.reading
+        noun = group.name.rpartition("_")[2]
+        for index in range(group.last, len(reading.tokens) - 1):
+            told = reading.word(index) in ("a", "an", "one") and reading.word(index + 2) in TELLING
+            if (reading.word(index) in ALL or told) and reading.word(index + 1) == noun:
+                again = finished_phrase(reading, "room", index + 1, index + 2, room=group.room_type, known=False)
+                put_phrase(reading, self.phrases, again)
+                self.groups.add(again.first)
 
     def _units(self) -> None:
         for phrase in list(self.phrases):
@@ -215,9 +253,18 @@ class _Units:
     def _is_unit(self, phrase: Phrase) -> bool:
         if phrase.first == self.building or phrase.head not in ("room", "building") or not phrase.room_type:
             return False
+        if phrase.first in self.groups:
+            return True
+        if phrase.room_type in LODGINGS and self._is_in_group(phrase):
+            return False
+        if phrase.name == "suite" and any(p.name.endswith("_suite") and p.room_type == "bedroom" for p in self.phrases):
+            return False  # "six bedroom suites; each suite has a dressing room"
         several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
         if phrase.room_type in LODGINGS or phrase.room_type in ("team_room", "common_room"):
-            own = phrase.head == "room" and (phrase.plural or phrase.determiner in ALL)
+            generic = (
+                phrase.determiner in ("a", "an", "one") and phrase.room_type == "common_room" and self._tells(phrase)
+            )
+            own = phrase.head == "room" and (phrase.plural or phrase.determiner in ALL or generic)
             parts = _PARTS_OF_HOMES if self._is_home() else frozenset[str]()
             return own and (phrase.room_type in LODGINGS or phrase.name.rpartition("_")[2] in _NOUNS.keys() | parts)
         if not self.reading.knowledge.room(phrase.room_type).unit:
@@ -233,21 +280,42 @@ class _Units:
             return False
         if phrase.determiner in ("the", "his", "her", "our", "my") and not phrase.plural:
             return "_" in phrase.name  # "the caretaker's flat", and not the flat that is planned
+        if "_" in phrase.name and not phrase.plural and self._is_told_later(phrase):
+            return True
         sized = self.reading.kind(phrase.begin - 1) == "number" and self.reading.word(phrase.begin) in _BEDS
         listed = phrase.determiner in ALL | {"a", "an", "another"}
         return several or phrase.plural or listed or phrase.counted or sized  # "upstairs two-bedroom flat"
+
+    def _is_told_later(self, phrase: Phrase) -> bool:
+        """Whether a later sentence lists the rooms of a dwelling by its noun: "florist's flat. ... Flat above: ..."."""
+        noun = phrase.name.rpartition("_")[2]
+        return any(
+            p.first > phrase.last and p.name == noun and p.name in GENERAL and self._heads_list(p) for p in self.phrases
+        )
+
+    def _is_in_group(self, phrase: Phrase) -> bool:
+        """Whether a group of rooms is right before a phrase and holds it: "a cluster consists of six single rooms"."""
+        return any(
+            group.room_type == "common_room"
+            and group.last < phrase.first
+            and set(self.reading.words(group.last, phrase.first)) <= TELLING | {"of", "with", "each", ","}
+            for group in self.phrases
+        )
 
     def _heads_list(self, phrase: Phrase) -> bool:
         """Whether the dwelling heads a list of rooms: "first floor is the flat: ...", "upstairs: flat with ..."."""
         reading = self.reading
         one = not phrase.plural and phrase.determiner not in ALL
-        opened = one and reading.word(phrase.last) in (":", "(")
+        placed = phrase.last + (reading.word(phrase.last) in ("upstair", "upstairs", "above"))
+        opened = one and (reading.word(phrase.last) in (":", "(") or reading.word(placed) == ":")
         headed = not phrase.determiner and reading.word(phrase.first - 1) in (":", "=")
         return opened or (headed and reading.word(phrase.last) in _LISTING)
 
     def _plain(self, phrase: Phrase) -> Phrase:
         """Return a unit by its noun alone; the number of bedrooms in it is kept apart."""
         reading = self.reading
+        if phrase.first in self.groups:
+            return phrase
         alone = phrase.first == phrase.begin and reading.kind(phrase.begin - 1) == "number"
         for index in range(phrase.first - alone, phrase.noun_end - 1):
             counting = index == phrase.first and reading.tokens[index + 1].spaced

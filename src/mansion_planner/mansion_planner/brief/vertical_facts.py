@@ -36,6 +36,7 @@ def read_stairs_and_lifts(reading: Reading, phrases: list[Phrase], negated: Mapp
         if enough:
             reading.take(phrase.last, phrase.last + 1 + (reading.word(phrase.last) in _COPULAS))
         only = "only" in (reading.word(phrase.last), reading.word(phrase.first - 1))
+        only = only and reading.word(phrase.last + 1) != "for"  # "a lift only for prisoners"
         if enough or (only and not phrase.counted):  # "only one lift" is a number
             reading.facts.vertical.append(("no_elevator" if phrase.head == "stair" else "no_stair", span))
             only_at = phrase.last if reading.word(phrase.last) == "only" else phrase.first - 1
