@@ -184,6 +184,9 @@ _AT_HOME = {
 }  # fmt: skip
 """Rooms of a home that other buildings have for something else, by their names."""
 
+_SLEPT_IN = {"private_room": "bedroom", "parent_room": "master_bedroom"}
+"""Rooms of a home that are to sleep in, and that other buildings have for something else."""
+
 _LET = frozenset({"private_room", "family_room"})
 """Rooms of a hostel or a refuge that guests have to themselves."""
 
