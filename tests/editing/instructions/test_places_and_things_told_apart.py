@@ -119,3 +119,20 @@ def test_one_new_thing_comes_for_both(state: SceneState, editor: SceneEditor) ->
 def test_what_only_some_of_the_things_meant_can_do_is_refused(editor: SceneEditor) -> None:
     report = instruct(editor, "Switch both mugs on the dining table on.")
     assert not report.done
+
+
+def test_what_is_in_furniture_goes_to_other_furniture(state: SceneState) -> None:
+    (statement,) = read_instruction("put the mug in the fridge on the dining table", state).statements
+    assert isinstance(statement, Move) and statement.things.place is not None
+    assert statement.things.place.anchor is not None and statement.things.place.anchor.noun == "fridge"
+    assert statement.place.anchor is not None and statement.place.anchor.noun == "dining table"
+
+
+def test_chairs_go_beside_the_table_that_they_belong_to(state: SceneState) -> None:
+    (statement,) = read_instruction("The chair in the hall goes to the dining table in the kitchen.", state).statements
+    assert isinstance(statement, Move) and statement.place.relation == "beside"
+
+
+def test_a_room_at_the_beginning_is_that_of_a_window(state: SceneState) -> None:
+    (statement,) = read_instruction("In the hall, move the chair to the window.", state).statements
+    assert isinstance(statement, Move) and statement.place.spot == "window" and statement.place.rooms is not None

@@ -165,6 +165,9 @@ class Outcomes(Sentence):
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
             goal = self._laid_over(item, goal)
+        other = self._other_furniture(item) if phrase.definite else 0
+        if other:
+            source, goal = (joined_places(part)[0] for part in (item.places[:other], item.places[other:]))
         moved = (
             phrase.definite
             or partitive
@@ -180,6 +183,13 @@ class Outcomes(Sentence):
         if source != Place():
             things = with_place(things, self._framed((source, False))[0] if source.rooms is None else source)
         return Move(things=things, place=goal, or_new=source == Place() and not phrase.refers, quote=quote)
+
+    def _other_furniture(self, item: Item) -> int:
+        """Return which place is on other furniture than where a thing is: ``the mug in the cupboard on the desk``."""
+        told = [k for k, p in enumerate(item.places) if p.place.anchor is not None and p.place.relation in ("on", "in")]
+        plain = len(told) == 2 and not any(p.source or p.goal or p.relative for p in item.places)
+        names = [tuple(p.place.anchor.noun.split()) for p in item.places if p.place.anchor is not None]
+        return told[1] if plain and len(names) == 2 and all(map(self.lexicon.stands, names)) else 0
 
     def _laid_over(self, item: Item, goal: Place) -> Place:
         """Return ``a blanket over the armchair`` as on it."""
@@ -220,7 +230,10 @@ class Outcomes(Sentence):
         if not item.places:
             return self._added([whole], whole, quote)
         source, _ = self._framed(joined_places(list(item.places)))
-        goal, _ = self._framed(joined_places([p for p in places if not p.source]))
+        goals = [p for p in places if not p.source]
+        goal, _ = self._framed(joined_places(goals))
+        if self._joins(Item(item.phrase, tuple(goals), item.end), goal):
+            goal = msgspec.structs.replace(goal, relation="beside")  # "the chair goes to the desk"
         things = with_place(item.phrase.things(), source)
         return Move(things=self._all_if_plural(things), place=goal, quote=quote)
 

@@ -146,8 +146,9 @@ def to_clear(statement: Clear, state: SceneState, context: Context) -> list[Scen
         raise Unmet("say which room, storey or piece of furniture is to be emptied; not the whole building at once")
     if place.anchor is not None and place.relation in ("on", "in", ""):
         anchor = place.anchor
-        if place.rooms is not None and anchor.place is None:
-            anchor = msgspec.structs.replace(anchor, place=Place(rooms=place.rooms))
+        if place.rooms is not None and (anchor.place is None or anchor.place.rooms is None):
+            within = msgspec.structs.replace(anchor.place or Place(), rooms=place.rooms)
+            anchor = msgspec.structs.replace(anchor, place=within)
         holders = things_meant(state, anchor, context, _carries(state))
         relations = (place.relation,) if place.relation else ("on", "in")
         there = [item for holder in holders for relation in relations for item in carried_by(state, holder, relation)]

@@ -140,9 +140,10 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
     found = _things_of(state, things, context, has_colour)
     if found or not (things.definite and things.noun):
         return found
-    if things.colour:
-        return _things_of(state, things, context, looks_like)
+    found = _things_of(state, things, context, looks_like) if things.colour else found
     place = things.place
+    if found:
+        return found
     if place is None or place.anchor is None or place.relation not in ("on", "in") or place.outside:
         return found
     either = msgspec.structs.replace(things, place=msgspec.structs.replace(place, relation=""))

@@ -388,7 +388,7 @@ def _spot(
     if spot == "door" and word == "door" and text_at(words, place - 1) in OUTER_DOORS:
         return None  # one door of the building, not any of the room
     ceiling_or_wall = phrase[0] in _ON and spot == "wall"
-    if relation in ("", "above", "under", "behind") and not goal and (relation, spot) != ("under", "window"):
+    if relation in ("", "above", "under", "behind") and not goal:
         return None
     if spot in ("window", "door") and phrase[0] not in NEAR_SPOTS:
         return None

@@ -109,6 +109,8 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
         counted = any(word.tag == "number" and word.text not in ORDINALS for word in said)
         counted = counted or any(word.text in COLOUR_WORDS or word.text in MATERIALS for word in said)
         return not (named or {*texts} & (_LIMITING | _WHOLES) or states or counted or _takes_up(said))
+    if _is_noted_as_done(clause, words):
+        return False
     if clause.after == "but" and named and _takes_up(words[clause.subject : clause.subject + 1]):
         return False  # "but tonight it sleeps on the sofa"
     if clause.after == "so" or (texts[0] == "that" and said[0].tag != "determiner"):
@@ -123,6 +125,14 @@ def _tells_of_number(said: Sequence[TaggedWord]) -> bool:
         return said[-1].tag in ("number", "adjective", "pronoun") or texts[-1] == "more"
     counted = said[0].tag in ("number", "pronoun") or texts[0] == "some"
     return counted and "already" in texts and len(said) > 2 and any(word.tag == "be" for word in said[1:3])
+
+
+def _is_noted_as_done(clause: Clause, words: Sequence[TaggedWord]) -> bool:
+    """Whether notes list what shall be done as done: ``desk at the window, wardrobe added opposite``."""
+    subject, verb = words[clause.subject], words[clause.verb]
+    listed = clause.form == "statement" and clause.after in (",", ":", "and", "-")
+    done = verb.tag == "verb" and verb.form in ("past", "participle") and (verb.verb,) in BY_WORDS
+    return listed and done and subject.tag == "noun" and not is_person(words[clause.subject : clause.verb])
 
 
 def _is_misspelt(words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:
@@ -179,6 +189,8 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     if coming and not is_person(subject):
         return True  # "the desk and the chair go out"
     making = main.verb == "make" and "way" not in texts
+    if main.verb == "belong" and "to" in texts[1:3] and not names_something(rest, lexicon):
+        return False  # "the red car belongs to Sam"
     placed = main.verb in _PLACING - _RESTING and main.form in ("third", "base") and not making
     if placed and not _goes_on_doing(rest):
         return not somebody or main.verb == "keep"
