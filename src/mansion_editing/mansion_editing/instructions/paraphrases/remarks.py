@@ -134,6 +134,10 @@ def _is_remark(words: Sequence[Word], lexicon: Lexicon) -> bool:
         return False
     if words[0].raw.endswith("ed") and not lexicon.is_object((texts[0],)):
         return False  # "switched on so I can find it" is how the thing shall be
+    if texts[0] in ("what", "whatever") and {*texts} & {"go", "out", "away", "leave"}:
+        return False  # "what was there before can go"
+    if _notes_deed(words, lexicon):
+        return False
     limits = [text for at, text in enumerate(texts) if text != "more" or not _is_any_more(words, at)]
     if {*limits} & _LIMITING or any(word.text in COLOUR_WORDS for word in words):
         return False
@@ -150,6 +154,12 @@ def _is_remark(words: Sequence[Word], lexicon: Lexicon) -> bool:
     if texts[0] == "so" and len(words) > 2:
         return _is_purpose_clause(words[1 + (texts[1] == "that") :], lexicon)
     return _is_telling(words, lexicon, reason=False) or _is_call(words, lexicon)
+
+
+def _notes_deed(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a note says what is to be done with a thing: ``wardrobe added opposite``, ``chair pushed in``."""
+    bare = words[0].kind == "word" and words[0].text not in DETERMINERS and _is_thing(words[0], lexicon)
+    return bare and any(word.raw.endswith("ed") or (word.raw,) in PARTICIPLES for word in words[1:4])
 
 
 def _is_any_more(words: Sequence[Word], at: int) -> bool:

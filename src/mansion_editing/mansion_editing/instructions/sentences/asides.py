@@ -27,6 +27,7 @@ from mansion_editing.instructions.sentences.bystanding import (
     lacks_a_place,
     needs_doing,
     needs_the_space,
+    notes_deed,
     stands_wrong,
     tells_whose,
 )
@@ -226,6 +227,8 @@ class Asides(Progress):
             return False
         if marked or is_rhetorical(words):
             return is_rhetorical(words)
+        if notes_deed(words, self.lexicon):
+            return False
         last = words[-1].end if words else 0
         called = self.text[last : last + 1] == "!" and is_exclamation(words, self.lexicon)
         if is_habit(words) or needs_the_space(words) or (followed and is_regret(words)):

@@ -36,6 +36,7 @@ __all__ = [
     "stands_wrong",
     "tells_what_becomes",
     "tells_whose",
+    "notes_deed",
 ]
 
 _ASKING: Final = MODALS | NEED | frozenset(
@@ -348,3 +349,15 @@ def is_purpose(words: Sequence[Word], lexicon: Lexicon) -> bool:
         return False
     texts = texts[:-1] if able and texts[-1] in ("there", "here") else texts
     return people and not ({*texts} & {"there", "only", "no", "not", "just", "all", "each", "every"})
+
+
+def notes_deed(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a note says what is to be done: ``wardrobe added opposite``, ``what was there before can go``."""
+    words = _bare(words)
+    texts = [word.text for word in words]
+    if texts[:1] in (["what"], ["whatever"]) and {*texts} & {"go", "out", "away", "leave"}:
+        return True
+    bare = (
+        len(words) > 1 and words[0].kind == "word" and words[0].text not in DETERMINERS and _names(words[:1], lexicon)
+    )
+    return bare and any((word.raw,) in PARTICIPLES or word.raw in ("pushed", "pulled") for word in words[1:3])

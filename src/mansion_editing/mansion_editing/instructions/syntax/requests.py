@@ -77,10 +77,17 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
         return clause.form == "statement" and _tells_of_use(clause, words) and not _asks(clause, words, lexicon)
     if texts[:2] in (["how", "many"], ["is", "there"], ["are", "there"]) and named:
         return False
+    done = words[clause.verb]
+    if clause.form == "statement" and said[0].tag == "noun" and named and done.form in ("past", "participle"):
+        deed = (done.verb,) in BY_WORDS and clause.verb > clause.start and not any(w.tag == "be" for w in said)
+        if deed and names_something(words[clause.start : clause.verb], lexicon):
+            return False  # "wardrobe added opposite"
     if clause.form == "statement" and _tells_of_number(said):
         return True
     if (said[0].tag == "noun" and (texts[0],) in BY_WORDS) or _is_misspelt(said, lexicon):
         return False  # it may be an order: "plant ...", "opn ..."
+    if clause.form == "statement" and texts[0] == "what" and {*texts} & {"go", "goes", "out", "away", "leave"}:
+        return False  # "what was there before can go"
     if clause.form == "statement" and texts[0] == "what":
         return not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
     if clause.form == "question" and said[0].tag == "have" and len(said) > 2 and said[1].tag == "somebody":
