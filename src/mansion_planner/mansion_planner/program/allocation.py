@@ -191,6 +191,8 @@ def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: K
         one_of_several = fact.count == 1 and (kind.common or kind.name == "master_suite")
         if kind.name == FOR_VISITORS and decisions.building.family == "home":
             settled.add(kind.name)  # those who live there sleep in rooms of their own
+        elif kind.name == "hotel_suite" and fact.floors and decisions.building.family == "lodging":
+            settled.add(kind.name)  # other storeys of a hotel have plain rooms
         elif fact.count is not None and not one_of_several:
             settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)
             settled.update(next((group for group in _SAME_USE if kind.name in group), ()))
