@@ -72,8 +72,8 @@ def _end(tokens: list[Token], at: int, heads: frozenset[str]) -> int:
     if at + 2 >= len(tokens) or tokens[at].kind != "number" or tokens[at].soft or tokens[at].value < 2:
         return 0
     noun = tokens[at + 1]
-    if noun.plural or noun.text not in _HELD | _SERVED:
-        return 0
+    if noun.plural or noun.text not in _HELD | _SERVED or (noun.text, tokens[at + 2].text) == ("car", "garage"):
+        return 0  # "a two-car garage" is a room
     end = at + 2
     while end < len(tokens) and tokens[end].kind == "word" and tokens[end].text not in NAME_ENDS:
         end += 1

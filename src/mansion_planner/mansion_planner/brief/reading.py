@@ -207,8 +207,9 @@ class Reading:
         return self.breaks(before) or (numbered and self.breaks(before - 1))
 
     def span(self, first: int, last: int) -> Span:
-        """Return the piece of the brief from token `first` to `last` (exclusive)."""
-        start, end = self.tokens[first].start, self.tokens[last - 1].end
+        """Return the piece of the brief from token `first` to `last` (exclusive), which need not be in its order."""
+        tokens = self.tokens[first:last] or [self.tokens[first], self.tokens[last - 1]]
+        start, end = min(token.start for token in tokens), max(token.end for token in tokens)
         return Span(self.text[start:end], start, end)
 
     def take(self, first: int, last: int) -> None:

@@ -73,11 +73,22 @@ def _fills_storeys(reading: Reading, phrase: Phrase) -> bool:
 
 def _is_of_all(reading: Reading, measure: Measure, phrases: list[Phrase], after: list[str]) -> bool:
     """Whether an area is a total, that of all rooms of a list, or a plot's."""
-    total = not TOTALS.isdisjoint(after[:3])
+    total = not TOTALS.isdisjoint(after[:3]) and not _is_of_one(reading, measure, phrases)
     if "each" not in after and (total or _of_all_listed(reading, measure, phrases)):
         return True
     before = reading.words(max(measure.first - 6, 0), measure.first)
     return measure.sides and not (PLOT | {"footprint"}).isdisjoint(before)
+
+
+def _is_of_one(reading: Reading, measure: Measure, phrases: list[Phrase]) -> bool:
+    """Whether a total is too small for as many rooms, so that it is of each: "twelve cells of 10 m2 in all"."""
+    end, _ = _end_of_what_is_measured(reading, measure, phrases)
+    counts = [phrases[n].count or 1 for n in _ending_at(phrases, end) if phrases[n].head == "room"]
+    return bool(counts) and counts[-1] > 1 and measure.values[0] < _LEAST_ROOM * counts[-1]
+
+
+_LEAST_ROOM = 2.0
+"""Square metres below which no room is; a total that is less for each room is the area of one."""
 
 
 def _room_after(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int | None:
