@@ -19,7 +19,7 @@ from mansion_assets.convex import (
     rounded_bodies,
 )
 from mansion_assets.joints import DOOR_OPENS, DRAWER_OPENS, Joint
-from mansion_assets.solids import Axis, Vec3, bar, box_solid, extruded, revolved, rounded_box
+from mansion_assets.solids import Axis, Vec3, bar, box_solid, extruded, revolved, rounded_box, tapered_bar
 from mansion_geometry.compiled import Floats, Ints
 
 __all__ = ["TRAY", "Body", "Box", "Builder", "Chunk", "Hinge", "Piece", "Rect"]
@@ -283,6 +283,13 @@ class Builder:
     ) -> None:
         """Add a round bar between two points."""
         self.raw(*bar(start, end, r, n), material, part, solid=solid, bodies=bar_bodies(start, end, r, n))
+
+    def taper(
+        self, start: Vec3, end: Vec3, radii: tuple[float, float], material: str, part: str = "body", n: int = 12
+    ) -> None:
+        """Add a round bar with a radius at either end: a nozzle, a leg, the tip of a pencil."""
+        bodies = bar_bodies(start, end, max(radii), n)
+        self.raw(*tapered_bar(start, end, radii[0], radii[1], n), material, part, bodies=bodies)
 
     def path(self, points: Sequence[Vec3], r: float, material: str, part: str = "frame") -> None:
         """Add round bars along a line of points."""

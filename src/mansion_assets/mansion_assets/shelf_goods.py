@@ -48,12 +48,11 @@ def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
         "folders": (0.08, ("paper_dark", "paper_blue", "paper_grey")),
         "boxes": (0.36, ("paper_brown", "paper_beige")),
         "bins": (0.2, ("plastic_blue", "plastic_red")),
-        "shoes": (0.13, ("leather_brown", "fabric_white", "leather_black")),
         "linen": (0.36, ("fabric_white", "fabric_beige")),
     }.get(fill, (0.2, _GOODS))
     count = max(1, int((cell.x1 - cell.x0) / step))
     step = (cell.x1 - cell.x0) / count
-    tall = {"books": 0.78, "folders": 0.85, "shoes": 0.4, "boxes": 0.72}.get(fill, 0.66)
+    tall = {"books": 0.78, "folders": 0.85, "boxes": 0.72}.get(fill, 0.66)
     for k in range(count):
         mark = (k * 7 + key * 13 + k * k * 3) % 11
         height = room * tall * (0.8 + 0.02 * mark)
@@ -320,6 +319,56 @@ def _magazines(b: Builder, cell: Rect, depth: float, key: int) -> None:
     )
 
 
+def _pairs_of_shoes(b: Builder, cell: Rect, depth: float, key: int) -> None:
+    """Trainers, leather shoes and pumps in pairs, their toes to the front."""
+    room = cell.top - cell.z
+    for k, x in enumerate(_places(cell, 0.2)):
+        kind = (k * 2 + key) % 3
+        upper = ("fabric_f4f4f0", "leather_6a3a1e", "leather_c8203a")[kind]
+        sole = ("rubber_2f6fc0", "rubber_black", "rubber_black")[kind]
+        for side in (-1, 1):
+            at = (x + side * 0.042, cell.y1 - 0.012, cell.z)
+            _shoe(b, at, (0.036, min(depth - 0.03, 0.25), min(room * 0.72, 0.1)), upper, sole)
+            if kind == 0:
+                face = DrawnFace.side(b, at[0] + 0.034)
+                face.line([(at[1] - 0.16, at[2] + 0.03), (at[1] - 0.1, at[2] + 0.05)], 0.006, "paint_red", "goods")
+
+
+def _shoe(b: Builder, at: tuple[float, float, float], size: tuple[float, float, float], upper: str, sole: str) -> None:
+    """A shoe of half a width, a length and a height, with its toe at a place: sole, toe cap, instep, an opening."""
+    x, toe, z = at
+    half, long, tall = size
+    heel = toe - long
+    b.box((x - half, x + half), (heel, toe - half * 0.5), (z, z + tall * 0.16), sole, "goods", solid=False)
+    b.cushion(
+        (x - half, x + half), (toe - half * 2.6, toe), (z + tall * 0.06, z + tall * 0.56), upper, "goods", 1.0, 10
+    )
+    profile = [
+        (heel, z + tall * 0.16),
+        (toe - half * 1.2, z + tall * 0.16),
+        (toe - half * 1.6, z + tall * 0.54),
+        (heel + long * 0.5, z + tall),
+        (heel + long * 0.02, z + tall * 0.94),
+    ]
+    b.prism(profile, (x - half * 0.9, x + half * 0.9), upper, part="goods", solid=False)
+    slope = [
+        (heel + long * 0.08, z + tall * 0.94),
+        (heel + long * 0.46, z + tall),
+        (heel + long * 0.46, z + tall * 1.02),
+    ]
+    b.prism(
+        [*slope, (heel + long * 0.08, z + tall * 0.97)],
+        (x - half * 0.62, x + half * 0.62),
+        "plastic_1c1c1f",
+        part="goods",
+        solid=False,
+    )
+    for k in range(3):
+        y = toe - half * (1.9 + 0.7 * k)
+        level = z + tall * (0.6 + 0.13 * k)
+        b.rod((x - half * 0.5, y, level), (x + half * 0.5, y, level), tall * 0.03, "fabric_white", "goods", 5)
+
+
 def _trays(b: Builder, cell: Rect, depth: float, key: int) -> None:
     """A used tray: a plate with left-overs, a cup, a fork, and a crumpled napkin."""
     x0, x1 = cell.x0 + 0.01, cell.x1 - 0.01
@@ -438,6 +487,7 @@ _OWN_GOODS: Final[dict[str, Goods]] = {
     "magazines": _magazines,
     "medicine": _medicine,
     "plants": _potted_plants,
+    "shoes": _pairs_of_shoes,
     "toys": _toys,
     "trays": _trays,
 }

@@ -13,7 +13,7 @@ import numpy as np
 
 from mansion_geometry.compiled import Floats, Ints
 
-__all__ = ["Axis", "Vec3", "bar", "box_solid", "extruded", "revolved", "rounded_box"]
+__all__ = ["Axis", "Vec3", "bar", "box_solid", "extruded", "revolved", "rounded_box", "sheet", "tapered_bar"]
 
 Vec3: TypeAlias = tuple[float, float, float]
 Span: TypeAlias = tuple[float, float]
@@ -82,14 +82,19 @@ def _cross(a: Sequence[float] | Floats, b: Sequence[float] | Floats) -> Floats:
 
 def bar(start: Vec3, end: Vec3, r: float, n: int) -> tuple[Floats, Ints]:
     """Return a round bar of `n` sides between two points."""
+    return tapered_bar(start, end, r, r, n)
+
+
+def tapered_bar(start: Vec3, end: Vec3, r0: float, r1: float, n: int) -> tuple[Floats, Ints]:
+    """Return a cone of `n` sides that is cut off, with a radius at either end."""
     a, b = np.array(start), np.array(end)
     axis = (b - a) / max(float(np.linalg.norm(b - a)), 1e-9)
     side = _cross(axis, (0.0, 0.0, 1.0) if abs(axis[2]) < 0.9 else (1.0, 0.0, 0.0))
     side /= np.linalg.norm(side)
     other = _cross(axis, side)
     angles = np.linspace(0.0, 2 * math.pi, n, endpoint=False)
-    ring = r * (np.outer(np.cos(angles), side) + np.outer(np.sin(angles), other))
-    return np.concatenate([a + ring, b + ring, [a], [b]]), _ring_faces(2, n)
+    ring = np.outer(np.cos(angles), side) + np.outer(np.sin(angles), other)
+    return np.concatenate([a + r0 * ring, b + r1 * ring, [a], [b]]), _ring_faces(2, n)
 
 
 def rounded_box(x: Span, y: Span, z: Span, round_: float, n: int) -> tuple[Floats, Ints]:
@@ -128,3 +133,20 @@ def extruded(outline: Sequence[tuple[float, float]], span: Span, axis: Axis) -> 
     if (area < 0) != (axis == "y"):
         table = table[:, ::-1]
     return vertices, table
+
+
+def sheet(grid: Floats, thick: float) -> tuple[Floats, Ints]:
+    """Return a bent sheet through a grid of points, (rows, columns, 3), `thick` downwards.
+
+    Seen from its upper face, columns follow each other to the right and rows upwards.
+    """
+    rows, columns = grid.shape[:2]
+    upper = grid.reshape(-1, 3)
+    vertices = np.concatenate([upper, upper - np.array([0.0, 0.0, thick])])
+    at = np.arange(rows * columns).reshape(rows, columns)
+    a, b, c, d = (part.ravel() for part in (at[:-1, :-1], at[:-1, 1:], at[1:, 1:], at[1:, :-1]))
+    top = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+    rim = np.concatenate([at[0, :-1], at[:-1, -1], at[-1, :0:-1], at[:0:-1, 0]])
+    follow, below = np.roll(rim, -1), rows * columns
+    sides = [np.column_stack([rim, rim + below, follow + below]), np.column_stack([rim, follow + below, follow])]
+    return vertices, np.concatenate([top, top[:, ::-1] + below, *sides])

@@ -1,8 +1,11 @@
 """Batteries, charging docks and charging towers."""
 
+import math
+
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
+from mansion_assets.solids import Vec3
 
 __all__: list[str] = []
 
@@ -77,56 +80,52 @@ def dock(b: Builder) -> None:
 
 @recipe("charging_tower")
 def charging_tower(b: Builder) -> None:
-    """A column with a bolt of lightning in a lit sign, and shelves round it where telephones lie on their cables."""
+    """A column whose lit sign says CHARGE below a battery with lightning, and large telephones on cables round it."""
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.05), "metal_dark", "foot")
-    b.box((-w * 0.2, w * 0.2), (-d * 0.2, d * 0.2), (0.05, h * 0.66), b.mat(), "column")
-    b.box((-w * 0.36, w * 0.36), (-d * 0.1, d * 0.1), (h * 0.66, h), b.mat(), "head")
-    _lightning_sign(b)
-    for level in range(2):
-        z = h * (0.34 + 0.24 * level)
-        b.box((-w * 0.44, w * 0.44), (-d * 0.44, d * 0.44), (z - 0.02, z), "plastic_white", "shelves")
-        for k in range(3):
-            _charging_telephone(
-                b, w * (-0.28 + 0.28 * k), z, ("light_green", "screen_3f8fd0", "light_orange")[(k + level) % 3]
-            )
-            side = d * (-0.24 + 0.24 * k)
-            b.prism(
-                [(w * 0.24, z), (w * 0.28, z), (w * 0.22, z + 0.13), (w * 0.2, z + 0.13)],
-                (side - 0.035, side + 0.035),
-                "plastic_black",
-                "y",
-                "telephones",
-            )
+    b.box((-w * 0.22, w * 0.22), (-d * 0.22, d * 0.22), (0.05, h * 0.58), b.mat(), "column")
+    b.box((-w / 2, w / 2), (-d * 0.14, d * 0.14), (h * 0.58, h), b.mat(), "head")
+    _battery_sign(b)
+    shelf = h * 0.3
+    b.box((-w * 0.48, w * 0.48), (-d * 0.48, d * 0.48), (shelf - 0.025, shelf), "plastic_white", "shelves")
+    for k in range(2):
+        _charging_telephone(b, w * (0.24 - 0.48 * k), shelf, ("screen_3f8fd0", "screen_e85fa8")[k])
+        _charging_telephone(b, w * (0.24 - 0.48 * k), shelf, ("screen_58c838", "screen_f5a018")[k], aside=True)
 
 
-def _charging_telephone(b: Builder, x: float, z: float, screen: str) -> None:
-    """A telephone that leans on the shelf at height `z`, with its cable."""
-    d = b.d
-    b.prism(
-        [(d * 0.22, z), (d * 0.26, z), (d * 0.2, z + 0.13), (d * 0.18, z + 0.13)],
-        (x - 0.035, x + 0.035),
-        "plastic_black",
-        part="telephones",
-    )
-    face = DrawnFace.sloped(b, (d * 0.26, z), (d * 0.2, z + 0.13))
-    face.field((-x - 0.03, -x + 0.03), (0.01, 0.12), screen, "telephones", 0.002)
-    cable = [
-        (x, d * 0.24, z + 0.004),
-        (x + 0.03, d * 0.38, z + 0.006),
-        (x, d * 0.43, z - 0.05),
-        (x * 0.4, d * 0.2, z - 0.1),
-    ]
-    b.path(cable, 0.006, "plastic_white", "cables")
+def _charging_telephone(b: Builder, along: float, z: float, screen: str, *, aside: bool = False) -> None:
+    """A telephone that leans on the shelf at height `z`, before the column or beside it, its battery on its screen."""
+    low, high, half = b.d * 0.4, (b.d * 0.27, z + 0.22), 0.055
+    if aside:
+        face = DrawnFace(b, (low, 0.0, z), (0.0, 1.0, 0.0), _leaning(low - high[0], high[1] - z, aside=True))
+    else:
+        face = DrawnFace(b, (0.0, low, z), (-1.0, 0.0, 0.0), _leaning(low - high[0], high[1] - z))
+    u, tall = along, math.hypot(low - high[0], high[1] - z)
+    face.field((u - half, u + half), (0.0, tall), "plastic_17181b", "telephones", 0.014)
+    face.field((u - half * 0.88, u + half * 0.88), (tall * 0.06, tall * 0.92), screen, "telephones", 0.016)
+    face.field((u - half * 0.5, u + half * 0.5), (tall * 0.34, tall * 0.6), "screen_f4f8fc", "charge", 0.018)
+    face.field((u - half * 0.2, u + half * 0.2), (tall * 0.6, tall * 0.66), "screen_f4f8fc", "charge", 0.018)
+    face.line([(u, 0.006), (u, -0.05)], 0.007, "plastic_white", "cables", 0.01)
 
 
-def _lightning_sign(b: Builder) -> None:
-    """A lit sign with a bolt of lightning."""
+def _leaning(back: float, rise: float, *, aside: bool = False) -> Vec3:
+    """Return the direction up something that leans back, against the column."""
+    long = math.hypot(back, rise)
+    return (-back / long, 0.0, rise / long) if aside else (0.0, -back / long, rise / long)
+
+
+def _battery_sign(b: Builder) -> None:
+    """A lit battery with a bolt of lightning, and the word CHARGE, on the front of the head."""
     w, d, h = b.w, b.d, b.h
+    face, front = DrawnFace.front(b, d * 0.14), d * 0.14
+    face.field((-w * 0.47, w * 0.47), (h * 0.6, h * 0.985), "light_2f8fe0", "sign", 0.004)
+    face.write("CHARGE", (-w * 0.43, w * 0.43), (h * 0.615, h * 0.685), "light_ffffff", "letters", 0.008)
+    low, high, half = h * 0.705, h * 0.935, w * 0.22
+    face.field((-half, half), (low, high), "light_ffffff", "battery", 0.006)
+    face.field((-half * 0.4, half * 0.4), (high, h * 0.965), "light_ffffff", "battery", 0.006)
+    face.field((-half * 0.86, half * 0.86), (low + half * 0.14, high - half * 0.14), "light_38b04a", "battery", 0.008)
     bolt = ((0.1, 1.0), (-0.55, -0.15), (0.0, -0.1), (-0.15, -1.0), (0.55, 0.2), (0.0, 0.15))
-    face = DrawnFace.front(b, d * 0.1)
-    face.field((-w * 0.33, w * 0.33), (h * 0.68, h * 0.98), "light_4f9bf0", "sign", 0.006)
-    middle, r = h * 0.83, h * 0.13
+    middle, r = (low + high) / 2, (high - low) * 0.38
     for part in ((0, 1, 2, 5), (2, 3, 4, 5)):
         outline = [(bolt[k][0] * r, middle + bolt[k][1] * r) for k in part]
-        b.prism(outline, (d * 0.1 + 0.006, d * 0.1 + 0.012), "light_yellow", "y", "sign")
+        b.prism(outline, (front + 0.008, front + 0.014), "light_yellow", "y", "bolt")

@@ -1,4 +1,4 @@
-"""Beds: at home, bunks, cots, loungers, hospital, examination and operating tables, stretchers."""
+"""Beds: at home, bunks, cots, loungers, in hospitals, tables for massage, stretchers."""
 
 import math
 from typing import Any
@@ -38,7 +38,7 @@ def _mattress(b: Builder, z: float, low: float, pillows: int, sheet: str, inset:
         )
 
 
-@receptacles("bed", "stretcher")
+@receptacles("bed", "stretcher", "exam_table", "operating_table", "lounger")
 def _mattresses(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     tiers = int(p.get("tiers", 2 if h > 1.5 else 1))
@@ -53,7 +53,7 @@ def _mattresses(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
 def bed(b: Builder) -> None:
     """Frame, headboard, mattress, pillows; two tiers for bunks."""
     style = b.p.get("style")
-    if style in ("hospital", "exam", "operating"):
+    if style in ("hospital", "exam"):
         _medical(b, str(style))
         return
     if style == "crib":
@@ -72,12 +72,6 @@ def bed(b: Builder) -> None:
         for k in range(5):
             zk = 0.25 + k * (high - 0.3) / 4
             b.rod((w / 2 - 0.02, d / 2 - 0.4, zk), (w / 2 - 0.02, d / 2 - 0.06, zk), 0.015, frame, "steps")
-        return
-    if style == "lounger":
-        b.legs((0, z - 0.1), 0.025, frame)
-        b.box((-w / 2, w / 2), (-d / 2, d / 2), (max(0.02, z - 0.14), z - 0.08), frame, "frame")
-        _mattress(b, z, z - 0.09, pillows, b.mat(), 0.03)
-        b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.04), (0.0, h), frame, "head")
         return
     b.legs((0, 0.12), 0.03, frame, 0.02)
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0.1, max(0.16, z - 0.22)), frame, "frame")
@@ -105,12 +99,8 @@ def _medical(b: Builder, style: str) -> None:
                 b.rod((x, y, z - 0.1), (x, y, z + 0.22), 0.01, "metal_chrome", "rails")
         _mattress(b, z, z - 0.16, 1, b.mat(), 0.05)
         return
-    if style == "operating":
-        b.box((-w * 0.4, w * 0.4), (-d * 0.2, d * 0.2), (0, 0.1), "metal_steel", "base")
-        b.box((-0.13, 0.13), (-0.2, 0.2), (0.1, z - 0.12), "metal_steel", "column")
-    else:
-        b.legs((0, z - 0.12), 0.025, "metal_chrome", 0.05)
-        b.box((-w / 2 + 0.06, w / 2 - 0.06), (-d * 0.3, d * 0.35), (0.18, z - 0.2), "wood_white", "cabinet")
+    b.legs((0, z - 0.12), 0.025, "metal_chrome", 0.05)
+    b.box((-w / 2 + 0.06, w / 2 - 0.06), (-d * 0.3, d * 0.35), (0.18, z - 0.2), "wood_white", "cabinet")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - 0.14, z - 0.09), "metal_steel", "deck")
     head = -d / 2 + d * 0.26
     b.cushion((-w / 2, w / 2), (head, d / 2), (z - 0.1, z), b.mat(), "pad", 0.4)
@@ -227,3 +217,34 @@ def _drop_rails(b: Builder, hip: float, z: float) -> None:
         (w * 0.36, foot - 0.02, z - 0.1),
     ]
     b.path(bar, 0.014, "rubber_black", "push_bar")
+
+
+@recipe("lounger")
+def lounger(b: Builder) -> None:
+    """A slatted bed for the garden with a raised back, two wheels at its head, and a striped cushion along it."""
+    w, d, h = b.w, b.d, b.h
+    top, frame = b.tops[0], b.mat("frame")
+    z, hip = top.z, top.y0
+    deck = z - 0.055
+    for side in (-1, 1):
+        rail = sorted((side * w / 2, side * (w / 2 - 0.045)))
+        b.box((rail[0], rail[1]), (-d / 2 + 0.06, d / 2), (deck - 0.07, deck), frame, "frame")
+        b.box((rail[0], rail[1]), (d / 2 - 0.3, d / 2 - 0.24), (0, deck - 0.07), frame, "legs")
+        b.box((rail[0], rail[1]), (-d / 2 + 0.2, -d / 2 + 0.26), (0.06, deck - 0.07), frame, "legs")
+        wheel = (side * (w / 2 - 0.004), side * (w / 2 - 0.05))
+        b.rod((wheel[1], -d / 2 + 0.13, 0.13), (wheel[0], -d / 2 + 0.13, 0.13), 0.13, "rubber_black", "wheels", 24)
+        b.rod((wheel[1], -d / 2 + 0.13, 0.13), (side * w / 2, -d / 2 + 0.13, 0.13), 0.07, "wood_birch", "wheels", 18)
+    for k in range(12):
+        y = hip + (d / 2 - hip) * (k + 0.5) / 12
+        b.box((-w / 2 + 0.02, w / 2 - 0.02), (y - 0.035, y + 0.035), (deck, deck + 0.016), frame, "slats")
+    head = (-d / 2, h - 0.05)
+    board = [(hip, deck), (hip, deck + 0.016), (head[0], head[1]), (head[0], head[1] - 0.016)]
+    b.prism(board, (-w / 2 + 0.02, w / 2 - 0.02), frame, part="back")
+    b.rod((0, -d / 2 + 0.2, deck), (0, -d / 2 + 0.1, h - 0.09), 0.02, frame, "prop")
+    stripes = 9
+    for k in range(stripes):
+        x0, x1 = (w * 0.88 * (j / stripes - 0.5) for j in (k, k + 1))
+        color = (b.mat(), "fabric_1f6fc0" if b.mat() == "fabric_white" else "fabric_white")[k % 2]
+        b.box((x0, x1), (hip, d / 2 - 0.03), (deck + 0.016, z), color, "cushion", solid=False)
+        slope = [(hip, deck + 0.016), (hip, z), (head[0] + 0.02, h), (head[0] + 0.01, h - 0.05)]
+        b.prism(slope, (x0, x1), color, part="cushion", solid=False)

@@ -12,7 +12,7 @@ from mansion_msgs_py.shapes import Size3
 __all__: list[str] = []
 
 
-@receptacles("bin", "bowl")
+@receptacles("bin", "bowl", "laundry_hamper")
 def _bin_inside(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     wall = min(0.03, 0.12 * min(w, d))
@@ -127,6 +127,63 @@ def _hollow(b: Builder, high: float, t: float, shrink: float) -> None:
 def _box(x: tuple[float, float], y: tuple[float, float], z: tuple[float, float]) -> Box:
     center = ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (z[0] + z[1]) / 2)
     return Box(center, (x[1] - x[0], y[1] - y[0], z[1] - z[0]))
+
+
+@recipe("laundry_hamper")
+def laundry_hamper(b: Builder) -> None:
+    """A tall basket of coiled rope with a shirt and a sock that hang over its rim, and LAUNDRY on a band of cloth."""
+    w, d, h = b.w, b.d, b.h
+    main, t = b.mat(), min(0.012, w * 0.03)
+    wide = h * 0.036
+    x, y, high = w / 2 - wide, d / 2 - wide, h - 0.012
+    dark = "fabric_c2aa7c" if main == "fabric_beige" else "plastic_d0d4d8"
+    for side in (-1, 1):
+        for wall, across in (((side * x, side * (x - t)), True), ((side * y, side * (y - t)), False)):
+            low, far = sorted(wall)
+            spans = ((low, far), (-y, y)) if across else ((-x + t, x - t), (low, far))
+            b.box(spans[0], spans[1], (0, high), main, "walls", solid=False)
+    b.box((-x + t, x - t), (-y + t, y - t), (0, 0.012), main, "floor", solid=False)
+    _hollow(b, high, t, 0.96)
+    for face, half in ((DrawnFace.front(b, y), x), (DrawnFace.side(b, x), y)):
+        face.field((-half, half), (h * 0.2, h * 0.4), "fabric_f4f0e4", "band", high * 0.5 / 13)
+        face.write(
+            "LAUNDRY", (-half * 0.92, half * 0.92), (h * 0.23, h * 0.37), "plastic_1f4f9e", "letters", high * 0.55 / 13
+        )
+    rows = 13
+    for row in range(rows + 1):
+        z = high * (row + 0.5) / (rows + 0.5)
+        coil = [(-x, -y, z), (x, -y, z), (x, y, z), (-x, y, z), (-x, -y, z)]
+        b.path(coil, high * 0.44 / rows if row < rows else 0.012, (main, dark)[row % 2], "coils")
+    _hung_shirt(b, y, high)
+    _hung_sock(b, x, high)
+
+
+def _hung_shirt(b: Builder, y: float, high: float) -> None:
+    """A striped shirt over the front, with its sleeve."""
+    w, h, color = b.w, b.h, "fabric_3f8fd8"
+    face = DrawnFace.front(b, y + h * 0.033)
+    body = (-w * 0.36, w * 0.1)
+    b.box((-body[1], -body[0]), (y - 0.03, y + h * 0.036), (high - 0.006, h), color, "shirt", solid=False)
+    face.field(body, (h * 0.52, high), color, "shirt", 0.003)
+    for k in range(3):
+        level = h * (0.58 + 0.12 * k)
+        face.field(body, (level, level + h * 0.045), "fabric_white", "shirt", 0.0035)
+    sleeve = [(w * 0.06, high), (w * 0.26, h * 0.78), (w * 0.2, h * 0.62), (w * 0.04, h * 0.72)]
+    outline = [(-u, v) for u, v in sleeve]
+    b.prism(outline, (y + h * 0.03, y + h * 0.036), color, "y", "shirt", solid=False)
+
+
+def _hung_sock(b: Builder, x: float, high: float) -> None:
+    """A red sock with a white heel and toe over the side."""
+    d, h = b.d, b.h
+    face = DrawnFace.side(b, x + h * 0.033)
+    leg = (-d * 0.18, d * 0.04)
+    b.box((x - 0.03, x + h * 0.036), leg, (high - 0.006, h), "fabric_d8382e", "sock", solid=False)
+    face.field(leg, (h * 0.62, high), "fabric_d8382e", "sock", 0.004)
+    face.field((-d * 0.18, d * 0.2), (h * 0.56, h * 0.68), "fabric_d8382e", "sock", 0.004)
+    face.field((d * 0.12, d * 0.22), (h * 0.56, h * 0.68), "fabric_white", "sock", 0.0045)
+    face.field((-d * 0.19, -d * 0.1), (h * 0.56, h * 0.66), "fabric_white", "sock", 0.0045)
+    face.field(leg, (h * 0.84, h * 0.88), "fabric_white", "sock", 0.0045)
 
 
 @recipe("basket")

@@ -5,6 +5,7 @@ from typing import Any
 
 from mansion_assets.builder import Box, Builder
 from mansion_assets.catalogue.receptacles import Receptacle, inset, surface
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
 
@@ -76,7 +77,7 @@ def swivel_chair(b: Builder) -> None:
         b.box((x - 0.015, x + 0.015), (-0.03, 0.03), (seat - 0.06, seat + 0.2), dark, "arms", solid=False)
 
 
-@receptacles("stool")
+@receptacles("stool", "footstool")
 def _stool_seat(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     round_ = p.get("shape", "round") == "round"
     return [surface("seat", inset(size, 0.03), size[2], 0.6, round_=round_)]
@@ -118,15 +119,50 @@ def stool(b: Builder) -> None:
             b.lathe([(0.48, h - thick), (0.5, h - thick / 2), (0.49, h)], main, stretch=(w, d), part="seat", n=24)
 
 
+@recipe("footstool")
+def footstool(b: Builder) -> None:
+    """A low seat to step on or rest the feet on: two printed feet on a mat, on slanted legs with a rung."""
+    w, d, h = b.w, b.d, b.h
+    main, thick, mat = b.mat(), min(0.05, h * 0.2), 0.004
+    frame = main if main.startswith("wood") else "wood_oak"
+    r = min(w, d) * 0.07
+    for sx in (-1, 1):
+        for sy in (-1, 1):
+            foot = (sx * (w / 2 - r), sy * (d / 2 - r), 0.0)
+            b.rod(foot, (sx * w * 0.36, sy * d * 0.36, h - thick), r, frame, "legs", 10)
+    rung = h * 0.3
+    for sy in (-1, 1):
+        b.rod((-w * 0.43, sy * d * 0.42, rung), (w * 0.43, sy * d * 0.42, rung), r * 0.7, frame, "rungs", 8)
+    for sx in (-1, 1):
+        b.rod((sx * w * 0.43, -d * 0.42, rung), (sx * w * 0.43, d * 0.42, rung), r * 0.7, frame, "rungs", 8)
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - thick, h - mat), main, "seat")
+    face = DrawnFace.top(b, h - mat)
+    face.field((-w * 0.45, w * 0.45), (-d * 0.45, d * 0.45), "rubber_2f3f5f", "mat", mat * 0.6)
+    for side in (-1, 1):
+        _printed_foot(face, side * w * 0.21, side, min(w * 0.12, d * 0.11), mat)
+    b.boxes.append(_leg_box(b, h - thick))
+
+
+def _printed_foot(face: DrawnFace, u: float, side: int, r: float, thick: float) -> None:
+    """The print of a bare foot: a heel, a sole and five toes, the largest on the inside."""
+    color = "plastic_f5c518"
+    face.disc(u, -r * 2.2, r * 0.95, color, "feet", thick, 16)
+    face.field((u - r * 0.6, u + r * 0.6), (-r * 2.2, r * 0.6), color, "feet", thick)
+    face.disc(u, r * 0.7, r * 1.15, color, "feet", thick, 18)
+    for k in range(5):
+        toe = (u - side * r * (1.0 - 0.52 * k), r * (2.75 - 0.16 * k * k * 0.6))
+        face.disc(*toe, r * (0.42 - 0.05 * k), color, "feet", thick, 10)
+
+
 def _leg_box(b: Builder, high: float) -> Box:
     return Box((0.0, 0.0, high / 2), (b.w * 0.9, b.d * 0.9, high))
 
 
 @recipe("recliner")
 def recliner(b: Builder) -> None:
-    """Dental, barber's or wash chair: pedestal, seat, tilted back, head rest, foot rest."""
+    """Chair that leans back: pedestal, seat, tilted back, head rest, foot rest."""
     w, d, h = b.w, b.d, b.h
-    style, main = b.p.get("style", "salon"), b.mat()
+    main = b.mat()
     cw = min(w, 0.62)
     seat = min(0.55, h * 0.48)
     b.cyl(0, 0, (0, 0.06), min(cw, d) * 0.42, "metal_chrome", "base", n=24)
@@ -149,19 +185,6 @@ def recliner(b: Builder) -> None:
     for sx in (-1, 1):
         x = sx * (cw / 2 - 0.03)
         b.box((x - 0.03, x + 0.03), (-d * 0.12, d * 0.2), (seat + 0.14, seat + 0.18), "plastic_black", "arms")
-    if style == "dental":
-        b.rod((w / 2 - 0.06, -0.1, 0.0), (w / 2 - 0.06, -0.1, h - 0.12), 0.03, "metal_white", "arm", solid=True)
-        b.rod((w / 2 - 0.06, -0.1, h - 0.12), (0.1, 0.15, h - 0.05), 0.018, "metal_white", "arm")
-        b.ball((0.08, 0.16, h - 0.06), (0.1, 0.07, 0.05), "light_white", "lamp")
-        b.box((-w / 2, -w / 2 + 0.3), (0, 0.35), (seat + 0.2, seat + 0.23), "metal_steel", "tray")
-    if style == "wash":
-        b.lathe(
-            [(0.12, h * 0.62), (0.22, h * 0.8), (0.2, h * 0.8), (0.08, h * 0.68)],
-            "ceramic_white",
-            (0, -d / 2 + 0.22),
-            "basin",
-            stretch=(1.2, 1.0),
-        )
 
 
 @recipe("tablet_chair")

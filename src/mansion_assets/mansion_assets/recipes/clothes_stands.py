@@ -3,6 +3,7 @@
 import math
 
 from mansion_assets.builder import Box, Builder
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
@@ -145,13 +146,46 @@ def umbrella_stand(b: Builder) -> None:
 
 @recipe("luggage_rack")
 def luggage_rack(b: Builder) -> None:
-    """Folding stand with straps."""
+    """A folding stand: legs that cross like an X in front and behind, and studded straps from one rail to the other."""
     w, d, h = b.w, b.d, b.h
-    for sx in (-1, 1):
-        x = sx * (w / 2 - 0.02)
-        b.rod((x, -d / 2 + 0.02, 0.0), (x, d / 2 - 0.02, h - 0.02), 0.018, b.mat(), "legs", solid=True)
-        b.rod((x, d / 2 - 0.02, 0.0), (x, -d / 2 + 0.02, h - 0.02), 0.018, b.mat(), "legs")
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.012, h), "fabric_dark", "straps")
-    for sy in (-1, 1):
-        y = sy * (d / 2 - 0.018)
-        b.rod((-w / 2, y, h - 0.02), (w / 2, y, h - 0.02), 0.018, b.mat(), "rails")
+    r, rail = 0.02, h - 0.028
+    for y in (-d / 2 + 0.05, d / 2 - 0.05):
+        for side in (-1, 1):
+            shift = y + side * 0.022
+            b.rod(
+                (side * (w / 2 - r), shift, r), (-side * (w / 2 - r), shift, rail), r, b.mat(), "legs", 10, solid=True
+            )
+        b.rod((0, y - 0.042, rail / 2), (0, y + 0.042, rail / 2), r * 0.7, "metal_brass", "pivots", 12)
+    for side in (-1, 1):
+        x = side * (w / 2 - r)
+        b.rod((x, -d / 2, rail), (x, d / 2, rail), r, b.mat(), "rails", 12)
+        b.rod((x, -d / 2 + 0.05, r), (x, d / 2 - 0.05, r), r * 0.8, b.mat(), "rails", 10)
+    for k in range(4):
+        _strap(b, -d / 2 + d * (k + 0.5) / 4, rail)
+    _suitcase_plate(DrawnFace.front(b, d / 2 - 0.008), rail / 2, 0.1)
+
+
+def _strap(b: Builder, y: float, rail: float) -> None:
+    """A strap of leather over both rails, with seams and studs."""
+    w, d, h = b.w, b.d, b.h
+    half, leather = d * 0.085, "leather_8a4a1f"
+    b.box((-w / 2 + 0.002, w / 2 - 0.002), (y - half, y + half), (h - 0.01, h - 0.002), leather, "straps")
+    for side in (-1, 1):
+        down = sorted((side * w / 2, side * (w / 2 - 0.006)))
+        b.box((down[0], down[1]), (y - half, y + half), (rail - 0.06, h - 0.002), leather, "straps", solid=False)
+    face = DrawnFace.top(b, h - 0.002)
+    for edge in (-0.8, 0.8):
+        v = -y + half * edge
+        face.field((-w / 2 + 0.004, w / 2 - 0.004), (v - 0.003, v + 0.003), "fabric_e8c98a", "seams", 0.0015)
+    for u in (-w * 0.45, w * 0.45):
+        face.disc(u, -y, 0.013, "metal_brass", "studs", 0.002, 12)
+
+
+def _suitcase_plate(face: DrawnFace, v: float, r: float) -> None:
+    """A round plate where the legs cross, with the sign of a suitcase."""
+    face.disc(0.0, v, r, "plastic_1f4f86", "plate", 0.004, 28)
+    face.field((-r * 0.62, r * 0.62), (v - r * 0.5, v + r * 0.3), "plastic_f4f4f4", "suitcase", 0.006)
+    for u in (-r * 0.36, r * 0.36):
+        face.field((u - r * 0.05, u + r * 0.05), (v - r * 0.5, v + r * 0.3), "plastic_1f4f86", "suitcase", 0.008)
+    grip = [(-r * 0.24, v + r * 0.3), (-r * 0.24, v + r * 0.52), (r * 0.24, v + r * 0.52), (r * 0.24, v + r * 0.3)]
+    face.line(grip, r * 0.06, "plastic_f4f4f4", "suitcase", 0.003)

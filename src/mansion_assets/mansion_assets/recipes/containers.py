@@ -15,7 +15,6 @@ Profile = tuple[tuple[float, float], ...]
 _PROFILES: dict[str, Profile] = {
     "cup": ((0.38, 0), (0.5, 1), (0.46, 1), (0.35, 0.06)),
     "bottle": ((0.48, 0), (0.5, 0.03), (0.5, 0.58), (0.2, 0.76), (0.17, 0.92), (0.2, 0.93), (0.2, 1)),
-    "can": ((0.46, 0), (0.5, 0.04), (0.5, 0.95), (0.45, 1)),
     "bowl": ((0.25, 0), (0.28, 0.06), (0.44, 0.55), (0.5, 1), (0.46, 1), (0.36, 0.4), (0.2, 0.14)),
     "vase": (
         (0.3, 0),
@@ -39,7 +38,6 @@ _PROFILES: dict[str, Profile] = {
         (0.3, 0.94),
         (0.3, 1),
     ),
-    "jug": ((0.46, 0), (0.5, 0.06), (0.5, 0.6), (0.3, 0.8), (0.24, 0.86), (0.26, 1)),
     "shaker": ((0.46, 0), (0.5, 0.08), (0.36, 0.7), (0.4, 0.74), (0.38, 0.92), (0.2, 1)),
     "roll": ((0.5, 0), (0.5, 1), (0.18, 1), (0.18, 0.9)),
     "brush": ((0.46, 0), (0.5, 0.04), (0.42, 0.32), (0.12, 0.34), (0.1, 0.95), (0.14, 0.97), (0.1, 1)),
@@ -81,10 +79,8 @@ _PROFILES: dict[str, Profile] = {
 
 _BANDS = {
     "bottle": ("paper_white", 0.2, 0.48, 0.504),
-    "can": ("metal_steel", 0.93, 1.0, 0.47),
     "cone": ("plastic_white", 0.4, 0.55, 0.29),
     "pump": ("paper_white", 0.2, 0.5, 0.505),
-    "jug": ("paper_white", 0.2, 0.5, 0.505),
 }
 
 
@@ -97,17 +93,14 @@ def lathe(b: Builder) -> None:
     b.lathe(profile, b.mat(), n=n, stretch=(b.w, b.d))
     if name in _BANDS:
         color, z0, z1, r = _BANDS[name]
-        if name == "can":
-            b.lathe([(r, z0 * b.h), (r, z1 * b.h)], color, n=n, stretch=(b.w, b.d), part="lid", solid=False)
-        else:
-            b.lathe(
-                [(r, z0 * b.h), (r * (0.8 if name == "cone" else 1.0), z1 * b.h)],
-                color,
-                n=n,
-                stretch=(b.w * 0.99, b.d * 0.99),
-                part="label",
-                solid=False,
-            )
+        b.lathe(
+            [(r, z0 * b.h), (r * (0.8 if name == "cone" else 1.0), z1 * b.h)],
+            color,
+            n=n,
+            stretch=(b.w * 0.99, b.d * 0.99),
+            part="label",
+            solid=False,
+        )
 
 
 @recipe("fruit_bowl")

@@ -1,6 +1,7 @@
 """Curtains of rooms, baths and hospital beds, and blinds."""
 
 from mansion_assets.builder import Builder
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
@@ -85,16 +86,36 @@ def ward_curtain(b: Builder) -> None:
 
 @recipe("slatted_blind")
 def slatted_blind(b: Builder) -> None:
-    """Tilted slats below a head box, on ladders of cord, with a wand and a pull cord."""
+    """A blind half let down before a window: slats on broad tapes below a head box, sky below, a cord with tassels."""
     w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.84, h), "plastic_light", "box")
-    count = 7
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.86, h), "plastic_white", "box")
+    b.box((-w / 2, w / 2), (-d / 2, d * 0.5), (0, h * 0.07), "wood_white", "sill")
+    for x in ((-w / 2, -w * 0.475), (w * 0.475, w / 2), (-w * 0.0125, w * 0.0125)):
+        b.box(x, (-d / 2, -d * 0.3), (0, h * 0.86), "wood_white", "window")
+    b.box((-w * 0.48, w * 0.48), (-d / 2, -d * 0.42), (0, h * 0.86), "screen_5fb4ee", "sky", solid=False)
+    pane = DrawnFace.front(b, -d * 0.42)
+    for u in (-w * 0.3, -w * 0.05, w * 0.22):
+        for k in range(3):
+            at = (u + (k - 1) * h * 0.16, h * (0.2 + 0.03 * (k % 2)))
+            pane.disc(*at, h * (0.07 + 0.03 * (k % 2)), "screen_ffffff", "clouds", d * 0.03, 14)
+    count, low = 3, h * 0.28
+    b.box((-w * 0.47, w * 0.47), (-d * 0.34, -d * 0.28), (low, h * 0.86), "plastic_3a4654", "shade", solid=False)
     for k in range(count):
-        z = h * 0.78 * (k + 0.3) / count
-        slat = [(-d * 0.4, z + h * 0.1), (-d * 0.34, z + h * 0.112), (d * 0.44, z + h * 0.012), (d * 0.38, z)]
-        b.prism(slat, (-w * 0.48, w * 0.48), b.mat(), part="slats")
-    for x in (-w * 0.36, 0.0, w * 0.36):
-        b.rod((x, d * 0.42, 0), (x, d * 0.42, h * 0.86), 0.003, "fabric_grey", "cords", 5)
-    b.rod((-w * 0.43, d * 0.46, h * 0.0), (-w * 0.43, d * 0.46, h * 0.88), 0.005, "plastic_grey", "wand", 6)
-    b.ball((w * 0.44, d * 0.46, h * 0.08), (0.009, 0.009, h * 0.07), "plastic_grey", "pull", 8)
-    b.rod((w * 0.44, d * 0.46, h * 0.12), (w * 0.44, d * 0.46, h * 0.86), 0.003, "fabric_grey", "pull", 5)
+        z, step = low + (h * 0.86 - low) * k / count, (h * 0.86 - low) / count
+        low_edge, high_edge = (d * 0.3, z + step * 0.3), (-d * 0.26, z + step * 0.76)
+        slat = [
+            high_edge,
+            low_edge,
+            (low_edge[0], low_edge[1] + step * 0.12),
+            (high_edge[0], high_edge[1] + step * 0.12),
+        ]
+        b.prism(slat, (-w * 0.47, w * 0.47), "plastic_f4efe2", part="slats")
+    b.box((-w * 0.47, w * 0.47), (-d * 0.3, d * 0.3), (low - h * 0.05, low + h * 0.02), "plastic_f4efe2", "bottom_rail")
+    face = DrawnFace.front(b, d * 0.32)
+    for u in (-w * 0.3, w * 0.3):
+        face.field((u - w * 0.006, u + w * 0.006), (low - h * 0.04, h * 0.86), "fabric_c9bfa4", "tapes", d * 0.04)
+    for cord in (-w * 0.42, -w * 0.45):
+        b.rod((cord, d * 0.44, h * 0.2), (cord, d * 0.44, h * 0.88), h * 0.012, "fabric_5a6470", "cords", 5)
+        b.taper(
+            (cord, d * 0.44, h * 0.24), (cord, d * 0.44, h * 0.09), (h * 0.02, h * 0.05), "paint_b5563f", "pull", 10
+        )

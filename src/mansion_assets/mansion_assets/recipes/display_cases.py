@@ -12,7 +12,7 @@ from mansion_msgs_py.shapes import Size3
 __all__: list[str] = []
 
 
-@receptacles("vitrine")
+@receptacles("vitrine", "museum_case")
 def _vitrine_levels(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     base = float(p.get("base", min(0.9, h * 0.55)))
@@ -24,12 +24,12 @@ def _vitrine_levels(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
 
 @recipe("vitrine")
 def vitrine(b: Builder) -> None:
-    """Glass case on a base, with exhibits, bread or fish."""
+    """Glass case on a base; an aquarium where it is filled with water."""
     w, d, h = b.w, b.d, b.h
     base = float(b.p.get("base", min(0.9, h * 0.55)))
     fill, main = b.p.get("fill", "none"), b.mat()
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base - 0.02), main, "base")
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.03, h), main if fill != "exhibit" else "metal_dark", "lid")
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.03, h), main, "lid")
     glass = "glass_clear"
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.01)))
@@ -42,17 +42,13 @@ def vitrine(b: Builder) -> None:
     for k in range(levels):
         z = base + k * step
         b.box(
-            (-w / 2 + 0.012, w / 2 - 0.012),
-            (-d / 2 + 0.012, d / 2 - 0.012),
-            (z - 0.02, z),
-            "fabric_white" if fill == "exhibit" else main,
-            "boards",
-            solid=False,
+            (-w / 2 + 0.012, w / 2 - 0.012), (-d / 2 + 0.012, d / 2 - 0.012), (z - 0.02, z), main, "boards", solid=False
         )
-        _exhibits(b, str(fill), z, step)
+        _contents(b, str(fill), z, step)
 
 
-def _exhibits(b: Builder, fill: str, z: float, room: float) -> None:
+def _contents(b: Builder, fill: str, z: float, room: float) -> None:
+    """Water with fish."""
     w, d = b.w, b.d
     if fill == "water":
         b.box(
@@ -73,17 +69,63 @@ def _exhibits(b: Builder, fill: str, z: float, room: float) -> None:
                 8,
                 solid=False,
             )
-    elif fill == "bread":
-        for k in range(max(2, int(w / 0.22))):
-            x = -w / 2 + 0.13 + k * 0.22
-            b.ball(
-                (x, 0, z + 0.05),
-                (0.08, min(0.14, d * 0.3), 0.05),
-                ("food_brown", "food_beige")[k % 2],
-                "bread",
-                8,
-                solid=False,
-            )
+
+
+@recipe("museum_case")
+def museum_case(b: Builder) -> None:
+    """A case of glass in which a golden mask hangs before dark velvet, with a label of the exhibit on its base."""
+    w, d, h = b.w, b.d, b.h
+    base = min(0.9, h * 0.55)
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base - 0.02), b.mat(), "base")
+    b.box(
+        (-w / 2 + 0.012, w / 2 - 0.012), (-d / 2 + 0.012, d / 2 - 0.012), (base - 0.02, base), "fabric_5a1f2a", "floor"
+    )
+    for sx in (-1, 1):
+        across = sorted((sx * w / 2, sx * (w / 2 - 0.01)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (base - 0.02, h - 0.008), "glass_clear", "glass")
+        for sy in (-1, 1):
+            x, y = sx * (w / 2 - 0.008), sy * (d / 2 - 0.008)
+            b.box((x - 0.008, x + 0.008), (y - 0.008, y + 0.008), (base, h), "metal_brass", "edges", solid=False)
+    b.box((-w / 2, w / 2), (d / 2 - 0.01, d / 2), (base - 0.02, h - 0.008), "glass_clear", "glass")
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.016, h - 0.004), "glass_clear", "lid")
+    for side in (-1, 1):
+        rim = (h - 0.018, h)
+        along = sorted((side * d / 2, side * (d / 2 - 0.016)))
+        b.box((-w / 2, w / 2), (along[0], along[1]), rim, "metal_brass", "edges", solid=False)
+        across = sorted((side * w / 2, side * (w / 2 - 0.016)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), rim, "metal_brass", "edges", solid=False)
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.012), (base - 0.02, h - 0.008), "fabric_5a1f2a", "velvet")
+    wall = DrawnFace.front(b, -d / 2 + 0.012)
+    room = h - base
+    _golden_mask(wall, base + room * 0.48, min(room * 0.42, w * 0.36))
+    label = DrawnFace.front(b, d / 2)
+    label.field((-w * 0.3, w * 0.3), (base * 0.56, base * 0.86), "metal_brass", "label", 0.004)
+    label.field((-w * 0.28, w * 0.28), (base * 0.575, base * 0.845), "paper_f7f0dc", "label", 0.005)
+    label.write("MUSEUM", (-w * 0.25, w * 0.25), (base * 0.7, base * 0.82), "plastic_26272b", "letters", 0.007)
+    for k in range(3):
+        level = base * (0.6 + 0.03 * k)
+        label.field((-w * 0.22, w * (0.22 - 0.06 * k)), (level, level + base * 0.012), "plastic_5a6470", "label", 0.006)
+
+
+def _golden_mask(face: DrawnFace, v: float, r: float) -> None:
+    """The mask of a pharaoh: a face between the striped wings of a head cloth, with a beard."""
+    gold, blue = "metal_f2c12e", "plastic_1f4f9e"
+    for k in range(9):
+        low, high = v - r + 2 * r * k / 9, v - r + 2 * r * (k + 1) / 9
+        half = r * (0.95, 1.0, 0.98, 0.95, 0.9, 0.85, 0.78, 0.68, 0.5)[k]
+        face.field((-half, half), (low, high), (gold, blue)[k % 2], "cloth", 0.008)
+    for k in range(7):
+        low, high = v - r * 0.62 + r * 1.2 * k / 7, v - r * 0.62 + r * 1.2 * (k + 1) / 7
+        half = r * (0.24, 0.38, 0.46, 0.5, 0.5, 0.48, 0.42)[k]
+        face.field((-half, half), (low, high), gold, "mask", 0.016)
+    face.field((-r * 0.5, r * 0.5), (v + r * 0.56, v + r * 0.66), blue, "mask", 0.018)
+    for side in (-1, 1):
+        inner, outer = sorted((side * r * 0.1, side * r * 0.38))
+        face.field((inner, outer), (v + r * 0.1, v + r * 0.24), "plastic_26272b", "eyes", 0.019)
+        face.disc(side * r * 0.24, v + r * 0.17, r * 0.06, "plastic_white", "eyes", 0.021, 10)
+    face.field((-r * 0.05, r * 0.05), (v - r * 0.16, v + r * 0.14), "metal_c9922a", "nose", 0.024)
+    face.field((-r * 0.16, r * 0.16), (v - r * 0.36, v - r * 0.28), "plastic_8a4a1a", "mouth", 0.019)
+    face.field((-r * 0.1, r * 0.1), (v - r * 1.0, v - r * 0.6), blue, "beard", 0.02)
 
 
 @recipe("jewel_case")

@@ -2,15 +2,19 @@
 
 import math
 
+import numpy as np
+
 from mansion_assets.builder import Builder
 from mansion_assets.registry import recipe
+from mansion_assets.solids import sheet
+from mansion_geometry.compiled import Floats
 
 __all__: list[str] = []
 
 
 @recipe("ball")
 def ball(b: Builder) -> None:
-    """Round things: apples, lettuce, potatoes, half shells."""
+    """Round things: apples, potatoes, half shells."""
     w, d, h = b.w, b.d, b.h
     style = b.p.get("style", "plain")
     if style == "dome":
@@ -25,10 +29,6 @@ def ball(b: Builder) -> None:
     b.ball((0, 0, top / 2), (w / 2, d / 2, top / 2), b.mat(), "body", 16)
     if style == "apple":
         b.rod((0, 0, top * 0.95), (0, 0, h), max(0.002, w * 0.03), "wood_brown", "stalk", 6)
-    elif style == "leafy":
-        for k in range(4):
-            x, y = ((0.2, 0), (-0.2, 0.1), (0, 0.22), (0.05, -0.2))[k]
-            b.ball((x * w, y * d, h * 0.55), (w * 0.28, d * 0.28, h * 0.42), "leaf_green", "leaves", 8, solid=False)
 
 
 @recipe("banana")
@@ -159,3 +159,40 @@ def tomato(b: Builder) -> None:
         ]
         b.path([(float(x), float(y), float(z)) for x, y, z in points], w * 0.028, "leaf_3f8f3a", "calyx")
     b.path([(0, 0, high * 0.96), (0, 0, high * 1.08), (w * 0.06, d * 0.04, h)], w * 0.026, "leaf_4f7f2f", "stalk")
+
+
+@recipe("lettuce")
+def lettuce(b: Builder) -> None:
+    """A head of lettuce: rings of frilly leaves with pale stalks and ribs, open round a yellow heart."""
+    w, d, h = b.w, b.d, b.h
+    b.ball((0, 0, h * 0.36), (w * 0.27, d * 0.27, h * 0.36), "food_e8f0b0", "heart", 12)
+    rings = ((7, 0.5, 0.6, "food_3f8f2f"), (6, 0.4, 0.82, "food_6fb83f"), (5, 0.27, 1.0, "food_a8d860"))
+    thick = min(w, h) * 0.012
+    for number, (count, reach, high, color) in enumerate(rings):
+        for k in range(count):
+            angle = math.tau * (k + 0.37 * number) / count
+            leaf = _frilly_leaf(b, angle, (reach, high), 1.5 * math.pi / count, 9)
+            b.raw(*sheet(leaf[:3], thick), "food_d2e8a4", "stalks")
+            b.raw(*sheet(leaf[2:], thick), color, "leaves")
+            rib = _frilly_leaf(b, angle, (reach * 1.03, high), 0.16 * math.pi / count, 2)
+            b.raw(*sheet(rib[2:-1], thick), "food_dff0b8", "ribs")
+
+
+def _frilly_leaf(b: Builder, angle: float, size: tuple[float, float], wide: float, columns: int) -> Floats:
+    """Return the grid of a leaf, (rows, columns, 3), from its stalk upwards: broad at its tip and waved at its edge.
+
+    `size` is how far it reaches out, as a share of the width, and how high, as a share of the height.
+    """
+    rows, (reach, high) = 6, size
+    grid = np.empty((rows, columns, 3))
+    for i in range(rows):
+        up = i / (rows - 1)
+        half = wide * math.sin(math.pi * (0.14 + 0.56 * up))
+        for j in range(columns):
+            side = 1 - 2 * j / (columns - 1)
+            wave = math.sin(j * 2.6 + 3 * angle) * up * up * (0.3 + 0.7 * abs(side))
+            out = (0.12 + (reach - 0.12) * math.sin(up * math.pi * 0.62)) * (1 + 0.2 * wave)
+            turn = angle + side * half
+            level = high * (0.04 + 0.9 * up**1.3 - 0.12 * side * side * up + 0.07 * wave)
+            grid[i, j] = math.cos(turn) * out * b.w, math.sin(turn) * out * b.d, b.h * level
+    return grid

@@ -1,5 +1,6 @@
 """Gates and partitions: turnstiles, barriers, detector gates, screens, booths."""
 
+import itertools
 import math
 
 from mansion_assets.builder import Builder
@@ -102,6 +103,40 @@ def partition(b: Builder) -> None:
     for sx in (-1, 1):
         x = sx * w * 0.36
         b.box((x - 0.03, x + 0.03), (-d / 2, d / 2), (0, 0.06), "metal_dark", "feet")
+
+
+@recipe("medical_screen")
+def medical_screen(b: Builder) -> None:
+    """Three frames of steel tube that fold on castors, with gathered cloth between their bars, and a red cross."""
+    w, d, h = b.w, b.d, b.h
+    reach = d / 2 - 0.05
+    ends = [(-w / 2 + 0.03 + (w - 0.06) * k / 3, reach * (-1) ** (k + 1)) for k in range(4)]
+    low, high, t = 0.16, h - 0.05, 0.016
+    for number, ((x0, y0), (x1, y1)) in enumerate(itertools.pairwise(ends)):
+        for x, y in ((x0 + 0.012, y0), (x1 - 0.012, y1)):
+            b.rod((x, y, 0.07), (x, y, h - t), t, "metal_chrome", "frame", 10, solid=True)
+            b.rod((x - 0.012, y, 0.04), (x + 0.012, y, 0.04), 0.04, "rubber_black", "castors", 14)
+        for z in (low - 0.03, h - t):
+            b.rod((x0 + 0.012, y0, z), (x1 - 0.012, y1, z), t, "metal_chrome", "frame", 10)
+        folds = 16
+        pleats = []
+        for k in range(folds + 1):
+            share = 0.06 + 0.88 * k / folds
+            pleats.append((x0 + (x1 - x0) * share, y0 + (y1 - y0) * share + 0.016 * (-1) ** k))
+        for (ax, ay), (bx, by) in itertools.pairwise(pleats):
+            cloth = [(ax, ay - 0.004), (bx, by - 0.004), (bx, by + 0.004), (ax, ay + 0.004)]
+            b.prism(cloth, (low, high), b.mat(), "z", "cloth", solid=False)
+        if number != 1:
+            continue
+        middle = ((x0 + x1) / 2, (y0 + y1) / 2)
+        along = math.hypot(x1 - x0, y1 - y0)
+        right = ((x0 - x1) / along, (y0 - y1) / along, 0.0)
+        out = (-right[1], right[0])
+        if out[1] < 0:
+            right, out = (-right[0], -right[1], 0.0), (-out[0], -out[1])
+        sign = DrawnFace(b, (middle[0] + out[0] * 0.022, middle[1] + out[1] * 0.022, 0.0), right, (0.0, 0.0, 1.0))
+        for across, up in ((0.045, 0.14), (0.14, 0.045)):
+            sign.field((-across, across), (h * 0.62 - up, h * 0.62 + up), "fabric_d8281e", "cross", 0.01)
 
 
 @recipe("office_booth")

@@ -2,9 +2,12 @@
 
 import math
 
+import numpy as np
+
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
+from mansion_assets.solids import sheet
 
 __all__: list[str] = []
 
@@ -106,23 +109,28 @@ def towel_ring(b: Builder) -> None:
 
 @recipe("dish_cloth")
 def dish_cloth(b: Builder) -> None:
-    """A checked cloth that lies crumpled: ridges across, a hem, and one corner turned over."""
-    w, d, h = b.w, b.d, b.h
-    count = 10
-    heights = [h * (0.3 + 0.34 * math.sin(k * 1.9) * math.sin(k * 0.7 + 0.4)) for k in range(count + 1)]
-    thick = h * 0.16
+    """A cloth as it was dropped: checks within a hem, raised in its middle, with folds that run out to its edges."""
+    count = 14
+    grid = np.array(
+        [[_dropped(b, 2 * j / count - 1, 2 * i / count - 1) for j in range(count + 1)] for i in range(count + 1)]
+    )
+    checks = (b.mat() if b.mat() != "fabric_white" else "fabric_2f6fc0", "fabric_9fbfe8")
+    shades = ("fabric_f4f4f0", _SHADES.get(b.mat(), checks[1]), checks[0])
     for i in range(count):
-        y0, y1 = -d / 2 + i * d / count, -d / 2 + (i + 1) * d / count
-        profile = [
-            (y0, max(0.0, heights[i] - thick)),
-            (y1, max(0.0, heights[i + 1] - thick)),
-            (y1, heights[i + 1]),
-            (y0, heights[i]),
-        ]
         for j in range(count):
-            x0, x1 = -w / 2 + j * w / count, -w / 2 + (j + 1) * w / count
-            striped = (i % 4 == 1) + (j % 4 == 1)
-            color = (b.mat(), "fabric_7aa0d6", "fabric_1d4f9e")[striped]
-            b.prism(profile, (x0, x1), color, part="cloth", solid=False)
-    fold = [(w * 0.08, -d / 2), (w / 2, -d / 2), (w / 2, -d * 0.06)]
-    b.prism(fold, (heights[0] * 0.9, h), "fabric_7aa0d6", "z", "fold", solid=False)
+            hem = i in (0, count - 1) or j in (0, count - 1)
+            color = shades[0] if hem else shades[(i % 2) + (j % 2)]
+            b.raw(*sheet(grid[i : i + 2, j : j + 2], b.h * 0.1), color, "cloth")
+
+
+_SHADES = {"fabric_blue": "fabric_9fb6d6", "fabric_red": "fabric_dfa09a"}
+"""The paler colour where only the stripes of one direction run."""
+
+
+def _dropped(b: Builder, u: float, v: float) -> tuple[float, float, float]:
+    """Return the place of a point of a cloth, whose edges are at -1 and 1, after it was dropped."""
+    out, turn = min(1.0, math.hypot(u, v)), math.atan2(v, u)
+    fold = math.sin(5 * turn + 0.7) * out**1.4
+    height = 0.12 + 0.5 * math.exp(-3.0 * out * out) + 0.26 * (1 + fold) * (0.35 + 0.65 * out) * (1 - 0.35 * out)
+    drawn = 1.0 - 0.1 * abs(math.sin(2 * turn)) - 0.05 * fold
+    return u * drawn * b.w / 2, v * drawn * b.d / 2, b.h * min(1.0, height)

@@ -11,35 +11,95 @@ __all__: list[str] = []
 
 @recipe("counter_bench")
 def lab_bench(b: Builder) -> None:
-    """Laboratory bench: cabinets, resistant top, service rail."""
+    """A dark top over cabinets, flasks and bottles of reagents in an open bay between them, gas taps below its edge."""
     w, d, h = b.w, b.d, b.h
-    b.box(
-        (-w / 2, w / 2),
-        (-d / 2, d / 2),
-        (h - 0.03, h),
-        "stone_black" if b.mat() == "plastic_white" else "plastic_light",
-        "top",
-    )
+    top = "stone_black" if b.mat() == "plastic_white" else "plastic_light"
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.03, h), top, "top")
     count = max(2, round(w / 0.6))
+    front, step = d / 2 - 0.06, (w - 0.06) / count
     for k in range(count):
-        x0 = -w / 2 + 0.03 + k * (w - 0.06) / count
-        x1 = x0 + (w - 0.06) / count
+        x = (-w / 2 + 0.03 + k * step, -w / 2 + 0.02 + (k + 1) * step)
         if k == count // 2:
-            continue
-        b.box((x0, x1 - 0.01), (-d / 2 + 0.05, d / 2 - 0.06), (0.08, h - 0.03), b.mat(), "cabinets")
-        for z0, z1 in ((0.1, h * 0.6), (h * 0.62, h - 0.05)):
-            b.box((x0 + 0.01, x1 - 0.02), (d / 2 - 0.06, d / 2 - 0.045), (z0, z1), b.mat(), "fronts", solid=False)
-            b.box(
-                ((x0 + x1) / 2 - 0.06, (x0 + x1) / 2 + 0.06),
-                (d / 2 - 0.045, d / 2 - 0.03),
-                (z1 - 0.05, z1 - 0.035),
-                "metal_steel",
-                "handles",
-                solid=False,
-            )
+            _reagent_bay(b, x, front)
+        else:
+            _bench_cabinet(b, x, front)
+        _gas_tap(b, (x[0] + x[1]) / 2 + 0.1, front, ("plastic_f5c518", "plastic_2f8fe0", "plastic_e8382e")[k % 3])
     for sx in (-1, 1):
-        x = sx * (w / 2 - 0.02)
-        b.box((x - 0.02, x + 0.02), (-d / 2 + 0.02, d / 2 - 0.05), (0, h - 0.03), "metal_grey", "frame")
+        x0 = sx * (w / 2 - 0.02)
+        b.box((x0 - 0.02, x0 + 0.02), (-d / 2 + 0.02, d / 2 - 0.05), (0, h - 0.03), "metal_grey", "frame")
+    _flask_sign(DrawnFace.side(b, w / 2), h * 0.5, min(d * 0.3, h * 0.26))
+
+
+def _bench_cabinet(b: Builder, x: tuple[float, float], front: float) -> None:
+    """A door and a drawer with their handles."""
+    d, h = b.d, b.h
+    b.box(x, (-d / 2 + 0.05, front), (0.08, h - 0.03), b.mat(), "cabinets")
+    face = DrawnFace.front(b, front)
+    middle = -(x[0] + x[1]) / 2
+    for z0, z1 in ((0.1, h * 0.6), (h * 0.62, h - 0.1)):
+        face.field((-x[1] + 0.01, -x[0] - 0.01), (z0, z1), b.mat(), "fronts", 0.015)
+        face.field((middle - 0.06, middle + 0.06), (z1 - 0.05, z1 - 0.035), "metal_steel", "handles", 0.03)
+
+
+def _reagent_bay(b: Builder, x: tuple[float, float], front: float) -> None:
+    """Two shelves with conical flasks of coloured liquids, labelled bottles, and test tubes in a rack."""
+    h = b.h
+    back, shelf = front - 0.3, h * 0.5
+    b.box(x, (back - 0.02, back), (0.08, h - 0.03), "plastic_e4eef4", "bay")
+    for z in (0.1, shelf):
+        b.box(x, (back, front - 0.01), (z - 0.02, z), "plastic_e4eef4", "bay")
+    wide, y = x[1] - x[0], front - 0.13
+    colors = ("plastic_2fb8e0", "plastic_e85fa8", "plastic_58c838", "plastic_f5a018")
+    for k in range(3):
+        px, r = x[0] + wide * (0.18 + 0.32 * k), min(wide * 0.14, 0.1)
+        _conical_flask(b, (px, y, shelf), r, shelf * 0.62, colors[k])
+    for k in range(2):
+        px, r = x[0] + wide * (0.15 + 0.24 * k), wide * 0.09
+        b.lathe(
+            [(r, 0.1), (r, 0.1 + shelf * 0.42), (r * 0.4, 0.1 + shelf * 0.54)], "plastic_8a4a1a", (px, y), "bottles", 14
+        )
+        b.cyl(px, y, (0.1 + shelf * 0.54, 0.1 + shelf * 0.64), r * 0.5, "plastic_26272b", "bottles", n=12, solid=False)
+        label = DrawnFace.front(b, y + r * 0.9)
+        label.field(
+            (-px - r * 0.7, -px + r * 0.7), (0.1 + shelf * 0.1, 0.1 + shelf * 0.32), "paper_white", "labels", r * 0.14
+        )
+    rack = (x[0] + wide * 0.52, x[1] - wide * 0.06)
+    b.box(rack, (y - 0.03, y + 0.03), (0.1 + shelf * 0.34, 0.1 + shelf * 0.38), "wood_birch", "rack", solid=False)
+    b.box(rack, (y - 0.03, y + 0.03), (0.1, 0.12), "wood_birch", "rack", solid=False)
+    for k in range(4):
+        px = rack[0] + (rack[1] - rack[0]) * (k + 0.5) / 4
+        b.cyl(px, y, (0.12, 0.1 + shelf * 0.3), wide * 0.032, colors[k], "tubes", n=8, solid=False)
+        b.cyl(px, y, (0.1 + shelf * 0.3, 0.1 + shelf * 0.5), wide * 0.032, "plastic_dff0f5", "tubes", n=8, solid=False)
+
+
+def _conical_flask(b: Builder, at: tuple[float, float, float], r: float, tall: float, liquid: str) -> None:
+    x, y, z = at
+    b.lathe([(r, z), (r, z + tall * 0.06), (r * 0.52, z + tall * 0.5)], liquid, (x, y), "flasks", 16)
+    neck = [(r * 0.52, z + tall * 0.5), (r * 0.3, z + tall * 0.72), (r * 0.3, z + tall * 0.96), (r * 0.4, z + tall)]
+    b.lathe(neck, "plastic_dff0f5", (x, y), "flasks", 16)
+
+
+def _gas_tap(b: Builder, x: float, front: float, color: str) -> None:
+    """A tap with a wing handle below the edge of the top."""
+    z = b.h - 0.065
+    b.rod((x, front, z), (x, front + 0.04, z), 0.014, "metal_chrome", "taps", 10)
+    b.box((x - 0.035, x + 0.035), (front + 0.03, front + 0.052), (z - 0.014, z + 0.014), color, "taps", solid=False)
+
+
+def _flask_sign(face: DrawnFace, v: float, r: float) -> None:
+    """The sign of a laboratory: a flask half full of something green that bubbles."""
+    for k in range(12):
+        low, high = v - r + r * 1.5 * k / 12, v - r + r * 1.5 * (k + 1) / 12
+        half = r * (0.9 - 0.72 * k / 11)
+        face.field((-half, half), (low, high), "plastic_26323f", "sign", 0.003)
+        if k:
+            inner = half - r * 0.1
+            face.field((-inner, inner), (low, high), "plastic_58c838" if k < 6 else "plastic_eef6fa", "sign", 0.004)
+    face.field((-r * 0.2, r * 0.2), (v + r * 0.5, v + r), "plastic_26323f", "sign", 0.003)
+    face.field((-r * 0.1, r * 0.1), (v + r * 0.4, v + r), "plastic_eef6fa", "sign", 0.004)
+    face.field((-r * 0.3, r * 0.3), (v + r * 0.95, v + r * 1.06), "plastic_26323f", "sign", 0.004)
+    for u, up in ((-0.3, -0.6), (0.2, -0.35), (0.0, -0.75)):
+        face.disc(r * u, v + r * up, r * 0.1, "plastic_eef6fa", "sign", 0.005, 10)
 
 
 @recipe("fume_hood")

@@ -259,7 +259,7 @@ def hood(b: Builder) -> None:
     b.box((-w * 0.3, w * 0.3), (-d * 0.2, d * 0.3), (0, 0.004), "light_warm", "lamp", solid=False)
 
 
-@receptacles("washer")
+@receptacles("washer", "clothes_dryer")
 def _washer_drum(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     high = h / int(p.get("stack", 1))
@@ -314,6 +314,38 @@ def _washer_front(b: Builder, z: tuple[float, float], middle: float, half: float
         b.box(beside, y, z, b.mat(), "front", solid=False)
     for level in ((z[0], middle - half), (middle + half, z[1])):
         b.box((-half, half), y, level, b.mat(), "front", solid=False)
+
+
+@recipe("clothes_dryer")
+def clothes_dryer(b: Builder) -> None:
+    """A white drum behind a round dark door that shows laundry, the word DRY beside waves of heat, a flap for lint."""
+    w, d, h = b.w, b.d, b.h
+    b.hollow((-w / 2, w / 2), (-d / 2, d / 2 - 0.06), (0, h), 0.06, b.mat())
+    middle, r = h * 0.45, min(w, h) * 0.3
+    _washer_front(b, (0, h), middle, 0.68 * r)
+    with b.door((-r, r), (d / 2 - 0.049, d / 2 - 0.012), (middle - r, middle + r)):
+        b.rod((0, d / 2 - 0.049, middle), (0, d / 2 - 0.012, middle), r, "plastic_e4e6e8", "door", 28)
+        face = DrawnFace.front(b, d / 2 - 0.012)
+        face.disc(0, middle, r * 0.74, "glass_black", "door", 0.002, 28)
+        face.field((-r * 0.98, -r * 0.84), (middle - r * 0.16, middle + r * 0.16), "plastic_dark", "grip", 0.012)
+        _heat_waves(face, 0.0, middle, r * 0.5, "light_ff8a3a")
+    panel = DrawnFace.front(b, d / 2 - 0.05)
+    panel.field((-w / 2 + 0.01, w / 2 - 0.01), (h * 0.83, h * 0.98), "plastic_dark", "panel", 0.006)
+    panel.write("DRYER", (-w * 0.44, w * 0.16), (h * 0.86, h * 0.95), "plastic_white", "letters", 0.01)
+    panel.disc(w * 0.33, h * 0.905, h * 0.045, "metal_chrome", "dial", 0.03, 18)
+    panel.field((w * 0.325, w * 0.335), (h * 0.91, h * 0.945), "plastic_black", "dial", 0.032)
+    panel.field((w * 0.06, w * 0.44), (h * 0.03, h * 0.13), "plastic_c9ccd0", "lint_flap", 0.006)
+    for k in range(4):
+        level = h * (0.045 + 0.02 * k)
+        panel.field((w * 0.08, w * 0.42), (level, level + h * 0.009), "plastic_dark", "lint_flap", 0.009)
+
+
+def _heat_waves(face: DrawnFace, u: float, v: float, r: float, material: str) -> None:
+    """Three waved lines that rise, the sign of warm air."""
+    for k in range(3):
+        across = u + (k - 1) * r * 0.62
+        wave = [(across + r * 0.16 * math.sin(j * math.pi / 3), v + r * (j / 4.5 - 1)) for j in range(10)]
+        face.line(wave, r * 0.085, material, "heat", 0.006)
 
 
 @recipe("dishwasher")

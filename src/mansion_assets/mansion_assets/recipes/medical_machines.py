@@ -33,6 +33,39 @@ def scanner(b: Builder) -> None:
     b.box((w * 0.3, w * 0.42), (deep[1], deep[1] + 0.01), (h * 0.6, h * 0.72), "screen_blue", "panel", solid=False)
 
 
+@recipe("mri_scanner")
+def mri_scanner(b: Builder) -> None:
+    """A long rounded magnet with a narrow lit tunnel, MRI on its front and side, and a table that runs in."""
+    w, d, h = b.w, b.d, b.h
+    front, middle, r, n = d * 0.14, h * 0.5, 0.36, 22
+    turns = [math.tau * (k + 0.5) / n for k in range(n)]
+    ring = [(r * math.cos(a), middle + r * math.sin(a)) for a in turns]
+    shell = [
+        (math.copysign(abs(math.cos(a)) ** 0.45, math.cos(a)), math.copysign(abs(math.sin(a)) ** 0.45, math.sin(a)))
+        for a in turns
+    ]
+    outer = [(u * w / 2, middle + v * h / 2) for u, v in shell]
+    lip = [(u * 1.22, middle + (v - middle) * 1.22) for u, v in ring]
+    for k in range(n):
+        q = (k + 1) % n
+        b.prism([ring[k], outer[k], outer[q], ring[q]], (-d / 2, front), b.mat(), "y", "magnet")
+        b.prism([ring[k], lip[k], lip[q], ring[q]], (front, front + 0.05), "plastic_4f8fd0", "y", "lip", solid=False)
+        inner = [(u * 0.94, middle + (v - middle) * 0.94) for u, v in (ring[k], ring[q])]
+        glow = [inner[0], ring[k], ring[q], inner[1]]
+        for deep in (-0.28, -0.1):
+            b.prism(glow, (d * deep, d * deep + 0.06), "light_bfe6ff", "y", "lamps", solid=False)
+    top = middle - 0.2
+    b.box((-0.26, 0.26), (front + 0.12, d / 2 - 0.12), (0, top - 0.08), "plastic_light", "table")
+    b.box((-0.24, 0.24), (-d * 0.3, d / 2), (top - 0.08, top), "leather_blue", "table")
+    b.cushion((-0.16, 0.16), (front + 0.06, front + 0.34), (top, top + 0.09), "fabric_white", "pillow", solid=False)
+    DrawnFace.front(b, front).write(
+        "MRI", (-w * 0.26, w * 0.26), (middle + 0.5, h * 0.95), "plastic_1f4f9e", "letters", 0.02
+    )
+    DrawnFace.side(b, w / 2 - 0.02).write(
+        "MRI", (-d * 0.44, front - 0.1), (h * 0.34, h * 0.68), "plastic_1f4f9e", "letters", 0.02
+    )
+
+
 def _to_box(
     p: tuple[float, float], center: tuple[float, float], half: float, low: float, high: float
 ) -> tuple[float, float]:

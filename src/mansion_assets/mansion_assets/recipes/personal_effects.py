@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from mansion_assets.builder import Builder
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
@@ -98,13 +99,62 @@ def keys(b: Builder) -> None:
 
 @recipe("wallet")
 def wallet(b: Builder) -> None:
-    """Two folds of leather that lie on each other, with notes and a card between them."""
+    """A wallet that lies open: cards in stepped slots on one side, a window on the other, notes that look out above."""
     w, d, h = b.w, b.d, b.h
-    for z in ((0, h * 0.36), (h * 0.64, h)):
-        b.cushion((-w / 2, w / 2), (-d / 2, d * 0.4), z, b.mat(), "folds", 0.3)
-    b.box((-w / 2, w / 2), (-d / 2, -d * 0.46), (h * 0.1, h * 0.9), b.mat(), "spine")
-    b.box((-w * 0.46, w * 0.46), (-d * 0.44, d * 0.46), (h * 0.36, h * 0.5), "paper_green", "notes")
-    b.box((-w * 0.3, w * 0.42), (-d * 0.4, d / 2), (h * 0.5, h * 0.64), "plastic_blue", "card")
+    low, t = h * 0.3, h * 0.1
+    for side in (-1, 1):
+        leaf = sorted((side * w * 0.49, side * w * 0.015))
+        b.cushion((leaf[0], leaf[1]), (-d * 0.4, d / 2), (0, low), b.mat(), "leaves", 0.5)
+        seam = [
+            (side * w * 0.47, d * 0.46),
+            (side * w * 0.47, -d * 0.36),
+            (side * w * 0.03, -d * 0.36),
+            (side * w * 0.03, d * 0.46),
+        ]
+        b.path([(x, y, low) for x, y in seam], h * 0.025, "fabric_e8c98a", "seams")
+    b.box((-w * 0.03, w * 0.03), (-d * 0.38, d * 0.48), (0, low * 0.7), b.mat(), "spine")
+    for k, color in enumerate(("paper_6fae5a", "paper_8fc070")):
+        shift = d * 0.03 * k
+        b.box(
+            (-w * 0.46 + w * 0.02 * k, w * 0.46),
+            (-d / 2 + shift, -d * 0.3),
+            (t * (k + 1), t * (k + 1.9)),
+            color,
+            "notes",
+            solid=False,
+        )
+    face = DrawnFace.top(b, t * 2.9)
+    for u in (-w * 0.26, w * 0.26):
+        face.write("50", (u - w * 0.1, u + w * 0.1), (d * 0.385, d * 0.465), "paper_1f4f2a", "notes", h * 0.02)
+    _cards_in_slots(b, low)
+    window = DrawnFace.top(b, low)
+    window.field((w * 0.06, w * 0.44), (-d * 0.4, d * 0.24), "leather_3a2416", "window", h * 0.12)
+    window.field((w * 0.1, w * 0.4), (-d * 0.34, d * 0.18), "plastic_dbe8f0", "window", h * 0.16)
+    window.disc(w * 0.18, -d * 0.02, w * 0.05, "plastic_e8b48c", "photo", h * 0.2, 14)
+    window.field((w * 0.12, w * 0.24), (-d * 0.26, -d * 0.1), "plastic_2f5f9e", "photo", h * 0.2)
+    for k in range(3):
+        window.field(
+            (w * 0.28, w * 0.38), (d * (0.06 - 0.12 * k), d * (0.1 - 0.12 * k)), "plastic_5a6470", "photo", h * 0.2
+        )
+
+
+def _cards_in_slots(b: Builder, low: float) -> None:
+    """Three cards one behind the other, each in a slot of leather."""
+    w, d, h = b.w, b.d, b.h
+    for k, color in enumerate(("plastic_2f6fc0", "plastic_d8382e", "plastic_f2c12e")):
+        back = -d * 0.34 + d * 0.22 * k
+        z = low + (h - low) * (0.2 + 0.22 * k)
+        b.box((w * 0.06, w * 0.45), (back, back + d * 0.22), (low - h * 0.02, z), color, "cards", solid=False)
+        face = DrawnFace.top(b, z)
+        face.field((-w * 0.42, -w * 0.34), (-back - d * 0.1, -back - d * 0.04), "metal_f2d98a", "chips", h * 0.03)
+        b.box(
+            (w * 0.045, w * 0.465),
+            (back + d * 0.15, d * 0.48),
+            (low - h * 0.02, z + h * 0.04),
+            b.mat(),
+            "slots",
+            solid=False,
+        )
 
 
 @recipe("credit_card")
@@ -202,6 +252,8 @@ def _upper(b: Builder, x: float, mouth: tuple[float, float], y: tuple[float, flo
         for j in range(n - 1):
             p, q = k * n + j, (k + 1) * n + j
             faces += [(p, p + 1, q + 1), (p, q + 1, q)]
+        left, ahead = k * n, (k + 1) * n
+        faces += [(left, ahead, ahead + n - 1), (left, ahead + n - 1, left + n - 1)]
     toes = (rings - 1) * n
     for j in range(1, n - 1):
         faces += [(0, j + 1, j), (toes, toes + j, toes + j + 1)]

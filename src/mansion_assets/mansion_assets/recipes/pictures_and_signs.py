@@ -3,6 +3,7 @@
 import zlib
 
 from mansion_assets.builder import Builder
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.materials.sets import art
 from mansion_assets.registry import recipe
 
@@ -208,3 +209,95 @@ def wet_floor_sign(b: Builder) -> None:
     for z in (0.4, 0.28):
         mark(-0.36, 0.36, z, z + 0.06, "plastic_black", 0.003)
     mark(-0.3, 0.3, 0.14, 0.19, "paint_red", 0.003)
+
+
+@recipe("painting")
+def painting(b: Builder) -> None:
+    """A picture on a cream mount in a deep frame with golden edges, and a brass plate with its title."""
+    w, d, h = b.w, b.d, b.h
+    rim = min(w, h) * 0.09
+    b.box((-w / 2, w / 2), (-d / 2, -d * 0.2), (0, h), b.mat(), "back")
+    _border(b, (0.0, rim), (-d * 0.3, d * 0.5), b.mat(), "frame")
+    _border(b, (rim * 0.2, rim * 0.42), (d * 0.4, d * 0.5 + 0.0004), "metal_d9b45a", "frame")
+    _border(b, (rim, rim * 1.35), (-d * 0.3, d * 0.2), "metal_d9b45a", "fillet")
+    _border(b, (rim * 1.35, rim * 2.3), (-d * 0.3, -d * 0.02), "paper_f4eedd", "mount")
+    inner = rim * 2.3
+    x, z = (-w / 2 + inner, w / 2 - inner), (inner, h - inner)
+    b.box(x, (-d * 0.2, -d * 0.05), z, _shown(b, str(b.p.get("face", "art"))), "face", solid=False)
+    plate = DrawnFace.front(b, d / 2 - 0.001)
+    plate.field((-w * 0.1, w * 0.1), (rim * 0.25, rim * 0.8), "metal_brass", "title", 0.0016)
+
+
+def _border(b: Builder, rim: tuple[float, float], y: tuple[float, float], material: str, part: str) -> None:
+    """Four bars from one distance to another within the outline of a picture."""
+    w, h = b.w, b.h
+    for side in (-1, 1):
+        across = sorted((side * (w / 2 - rim[0]), side * (w / 2 - rim[1])))
+        b.box((across[0], across[1]), y, (rim[0], h - rim[0]), material, part, solid=False)
+    for low, high in (rim, (h - rim[1], h - rim[0])):
+        b.box((-w / 2 + rim[1], w / 2 - rim[1]), y, (low, high), material, part, solid=False)
+
+
+@recipe("tapestry")
+def tapestry(b: Builder) -> None:
+    """A woven cloth with borders, zigzags and diamonds, which hangs from a rod with knobs and ends in a fringe."""
+    w, d, h = b.w, b.d, b.h
+    r, cloth = d * 0.42, (h * 0.11, h * 0.965)
+    rod = h - r - 0.002
+    b.rod((-w / 2 + r, 0, rod), (w / 2 - r, 0, rod), r, "wood_walnut", "rod", 12)
+    for x in (-w / 2 + r, w / 2 - r):
+        b.ball((x, 0, rod), (r, d / 2, r * 1.2), "metal_brass", "knobs", 10)
+    half = w * 0.45
+    b.box((-half, half), (-0.004, 0.002), cloth, b.mat(), "cloth")
+    for k in range(7):
+        x = -half + (k + 0.5) * half / 3.5
+        b.box((x - half * 0.05, x + half * 0.05), (-r, r), (cloth[1] - 0.01, h), b.mat(), "loops", solid=False)
+    face = DrawnFace.front(b, 0.002)
+    for low, high, color in (
+        (0.0, 0.05, "fabric_2a3f6a"),
+        (0.06, 0.075, "fabric_e8d9b0"),
+        (0.925, 0.94, "fabric_e8d9b0"),
+        (0.95, 1.0, "fabric_2a3f6a"),
+    ):
+        span = (cloth[0] + (cloth[1] - cloth[0]) * low, cloth[0] + (cloth[1] - cloth[0]) * high)
+        face.field((-half, half), span, color, "bands")
+    _woven_figures(face, half, cloth)
+    for k in range(36):
+        x = -half + (k + 0.5) * half / 18
+        b.rod((x, 0, cloth[0] + 0.004), (x, 0, 0.0), w * 0.006, ("fabric_e8d9b0", "fabric_c9a24a")[k % 2], "fringe", 5)
+
+
+def _woven_figures(face: DrawnFace, half: float, cloth: tuple[float, float]) -> None:
+    """Stepped diamonds in three rows, as they are woven, and zigzags between them."""
+    tall = cloth[1] - cloth[0]
+    step = tall * 0.014
+    for row, level in enumerate((0.22, 0.5, 0.78)):
+        middle = cloth[0] + tall * level
+        for column in range(3 if row != 1 else 2):
+            u = half * (0.64 * (column - 1) if row != 1 else 0.64 * (column - 0.5))
+            for size, color in ((7, "fabric_e8d9b0"), (5, "fabric_2a3f6a"), (3, "fabric_d9902d"), (1, "fabric_e8d9b0")):
+                for k in range(-size + 1, size):
+                    wide = (size - abs(k)) * step * 1.1
+                    face.field(
+                        (u - wide, u + wide),
+                        (middle + (k - 0.5) * step, middle + (k + 0.5) * step),
+                        color,
+                        "diamonds",
+                        0.001 + 0.0006 * (8 - size),
+                    )
+    for level in (0.36, 0.64):
+        points = [(half * (k / 8 - 1), cloth[0] + tall * (level + (0.025 if k % 2 else -0.025))) for k in range(17)]
+        face.line(points, tall * 0.009, "fabric_d9902d", "zigzags")
+
+
+@recipe("door_sign")
+def door_sign(b: Builder) -> None:
+    """A plate beside a door with the number of its room, large, under the word ROOM, and two screws."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.003), (0, h), b.mat(), "plate")
+    face = DrawnFace.front(b, d / 2 - 0.003)
+    face.field((-w / 2 + 0.004, w / 2 - 0.004), (h * 0.7, h * 0.96), "plastic_1f3f6a", "band", 0.001)
+    face.write("ROOM", (-w * 0.3, w * 0.3), (h * 0.745, h * 0.915), "plastic_white", "letters", 0.0022)
+    face.write("204", (-w * 0.38, w * 0.38), (h * 0.12, h * 0.62), "plastic_1f3f6a", "number", 0.003)
+    for u in (-w * 0.455, w * 0.455):
+        face.disc(u, h * 0.36, w * 0.022, "metal_9ba0a5", "screws", 0.0025, 12)

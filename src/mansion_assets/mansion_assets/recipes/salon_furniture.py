@@ -53,6 +53,65 @@ def salon_station(b: Builder) -> None:
         face.line(ring, 0.009, "plastic_black", "scissors", 0.004)
 
 
+@recipe("salon_chair")
+def salon_chair(b: Builder) -> None:
+    """A barber's chair: a buttoned back with a head rest, scissors on its side, a pump lever, a foot plate."""
+    w, d, h = b.w, b.d, b.h
+    seat, main = h * 0.5, b.mat()
+    back, front = -d * 0.34, d * 0.16
+    b.lathe([(0.34, 0.0), (0.34, 0.03), (0.1, 0.07)], "metal_chrome", (0, -d * 0.08), "base", 28)
+    b.cyl(0, -d * 0.08, (0.06, seat - 0.14), 0.06, "metal_chrome", "column", n=18)
+    b.path(
+        [(0.06, -d * 0.08, 0.16), (w * 0.4, d * 0.02, 0.16), (w * 0.46, d * 0.06, 0.2)], 0.014, "metal_chrome", "lever"
+    )
+    half = w * 0.36
+    b.cushion((-half, half), (back, front), (seat - 0.14, seat), main, "seat", 0.35, 14)
+    b.cushion((-half, half), (-d / 2 + 0.03, back + 0.04), (seat - 0.02, h * 0.84), main, "back", 0.35, 14)
+    buttons = DrawnFace.front(b, back + 0.038)
+    for row in range(3):
+        for column in range(3):
+            spot = ((column - 1) * half * 0.55, seat + 0.1 + row * (h * 0.84 - seat - 0.14) / 2.6)
+            buttons.disc(*spot, 0.016, "metal_d9b45a", "buttons", 0.006, 10)
+    for x in (-0.05, 0.05):
+        b.rod((x, -d / 2 + 0.08, h * 0.8), (x, -d / 2 + 0.08, h * 0.9), 0.01, "metal_chrome", "head", 8)
+    b.cushion((-0.13, 0.13), (-d / 2, back), (h * 0.88, h), main, "head", 0.5)
+    for side in (-1, 1):
+        outer = sorted((side * w / 2, side * half * 1.06))
+        b.box((outer[0], outer[1]), (back, front - 0.04), (seat - 0.12, seat + 0.16), "metal_light", "sides")
+        b.cushion((outer[0] - 0.01, outer[1] + 0.01), (back, front), (seat + 0.16, seat + 0.22), main, "arms", 0.5)
+    _scissors(DrawnFace.side(b, w / 2), ((back + front) / 2 - 0.01, seat + 0.02), 0.11)
+    for x in (-0.12, 0.12):
+        b.path([(x, front - 0.02, seat - 0.1), (x, d * 0.3, 0.3), (x, d * 0.36, 0.12)], 0.016, "metal_chrome", "rest")
+    plate = [(d * 0.3, 0.1), (d * 0.3, 0.13), (d / 2, 0.2), (d / 2, 0.17)]
+    b.prism(plate, (-w * 0.3, w * 0.3), "metal_chrome", part="rest")
+    for k in range(3):
+        b.rod(
+            (-w * 0.28, d * (0.36 + 0.05 * k), 0.16 + 0.018 * k),
+            (w * 0.28, d * (0.36 + 0.05 * k), 0.16 + 0.018 * k),
+            0.009,
+            "rubber_black",
+            "rest",
+            6,
+        )
+
+
+def _scissors(face: DrawnFace, at: tuple[float, float], r: float) -> None:
+    """The sign of hairdressers: open scissors."""
+    u, v = at
+    for side in (-1, 1):
+        face.line(
+            [(u - r * 0.5, v - side * r * 0.35), (u + r, v + side * r * 0.45)], r * 0.09, "plastic_26272b", "sign"
+        )
+        ring = [
+            (
+                u - r * 0.72 + math.cos(k * math.tau / 10) * r * 0.28,
+                v - side * r * 0.5 + math.sin(k * math.tau / 10) * r * 0.28,
+            )
+            for k in range(11)
+        ]
+        face.line(ring, r * 0.07, "plastic_c8201e", "sign")
+
+
 @recipe("hair_wash_chair")
 def hair_wash_chair(b: Builder) -> None:
     """A chair that leans back, and behind it a white basin with a neck rest, a tap and a hand shower on a pillar."""

@@ -137,7 +137,7 @@ def _tap(b: Builder, x: float, z: float, y: float, high: float) -> None:
     )
 
 
-@receptacles("sink")
+@receptacles("sink", "sink_row")
 def _sink_receptacles(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     rim = h - float(p.get("splash", 0.0))
@@ -249,6 +249,84 @@ def _below(b: Builder, high: float, deep: float, top: str) -> None:
         )
 
 
+@recipe("sink_row")
+def sink_row(b: Builder) -> None:
+    """Two white bowls with taps in a top, below a long mirror, soap beside each, towels on the doors below."""
+    sink(b)
+    w, d, h = b.w, b.d, b.h
+    splash, bowl = float(b.p["splash"]), b.cells[0]
+    rim, back = h - splash, -d / 2 + 0.018
+    b.box((-w / 2, w / 2), (-d / 2, back), (rim, h), "ceramic_white", "splash")
+    wall = DrawnFace.front(b, back)
+    wall.field((-w * 0.48, w * 0.48), (rim + splash * 0.2, h - 0.012), "glass_mirror", "mirror", 0.004)
+    for u in (-w * 0.3, -w * 0.24, w * 0.2):
+        wall.line([(u, rim + splash * 0.25), (u + splash * 0.5, h - 0.016)], 0.007, "plastic_f6fcff", "gleam", -0.001)
+    _white_lining(b, rim)
+    second = -w * 0.3
+    _shallow_bowl(b, second, rim)
+    y = back + 0.021
+    for soap in (bowl.x0, bowl.x1 - 0.07):
+        b.cyl(soap, y, (rim, rim + splash * 0.5), 0.02, "plastic_f08fb0", "soap", n=12, solid=False)
+        b.cyl(soap, y, (rim + splash * 0.5, rim + splash * 0.7), 0.007, "plastic_white", "soap", n=8, solid=False)
+        b.box(
+            (soap - 0.01, soap + 0.01),
+            (y, y + 0.008),
+            (rim + splash * 0.7, rim + splash * 0.78),
+            "plastic_white",
+            "soap",
+            solid=False,
+        )
+    spout = [
+        (second, back, rim + splash * 0.55),
+        (second, back + 0.017, rim + splash * 0.55),
+        (second, back + 0.017, rim + splash * 0.4),
+    ]
+    b.path(spout, 0.012, "metal_chrome", "tap")
+    for u in (-0.06, 0.06):
+        wall.disc(-second + u, rim + splash * 0.55, 0.022, "metal_chrome", "tap", 0.02, 14)
+    for number, u in ((1, w * 0.25), (2, -w * 0.25)):
+        with b.fixed_to(f"door_{number}"):
+            _washroom_door(b, u, rim)
+
+
+def _white_lining(b: Builder, rim: float) -> None:
+    """Glaze on the walls and the floor of the basin, and round its edge."""
+    bowl, thick, edge = b.cells[0], 0.0095, 0.03
+    for low, high, t, out in ((bowl.z, rim, thick, 0.0), (rim - 0.001, rim + 0.002, thick, edge)):
+        for x0, x1 in ((bowl.x0 - out, bowl.x0 + t), (bowl.x1 - t, bowl.x1 + out)):
+            b.box((x0, x1), (bowl.y0 - out, bowl.y1 + out), (low, high), "ceramic_white", "basin", solid=False)
+        for y0, y1 in ((bowl.y0 - out, bowl.y0 + t), (bowl.y1 - t, bowl.y1 + out)):
+            b.box((bowl.x0 + t, bowl.x1 - t), (y0, y1), (low, high), "ceramic_white", "basin", solid=False)
+    b.box((bowl.x0, bowl.x1), (bowl.y0, bowl.y1), (bowl.z, bowl.z + 0.003), "ceramic_white", "basin", solid=False)
+
+
+def _shallow_bowl(b: Builder, x: float, rim: float) -> None:
+    """The second bowl, so flat that things stand on it: a white edge about a shaded floor with a drain."""
+    face, bowl = DrawnFace.top(b, rim), b.cells[0]
+    y, deep = (bowl.y0 + bowl.y1) / 2, (bowl.y1 - bowl.y0) / 2 + 0.03
+    across = min((bowl.x1 - bowl.x0) / 2 + 0.03, (bowl.x0 - 0.06 + b.w / 2) / 2)
+    for share, color, thick in (
+        (1.0, "ceramic_white", 0.001),
+        (0.86, "plastic_b4bec6", 0.0014),
+        (0.74, "plastic_d3dadf", 0.0018),
+    ):
+        u, v = (-x - across * share, -x + across * share), (-y - deep * share, -y + deep * share)
+        face.field(u, v, color, "bowl", thick)
+    face.disc(-x, -y, 0.026, "metal_dark", "bowl", 0.002, 14)
+
+
+def _washroom_door(b: Builder, u: float, rim: float) -> None:
+    """A white front with a towel on a bar and a drop of water."""
+    face = DrawnFace.front(b, b.d / 2 - 0.012)
+    half = b.w / 4 - 0.02
+    face.field((u - half, u + half), (0.13, rim - 0.07), "wood_white", "fronts", 0.003)
+    top = rim - 0.18
+    face.field((u - 0.16, u + 0.16), (top - 0.014, top), "metal_chrome", "bar", 0.012)
+    face.field((u - 0.12, u + 0.12), (top - 0.34, top + 0.004), "fabric_3f9fd0", "towel", 0.008)
+    for low in (0.3, 0.26):
+        face.field((u - 0.12, u + 0.12), (top - low, top - low + 0.018), "fabric_white", "towel", 0.01)
+
+
 @recipe("basin_tap")
 def basin_tap(b: Builder) -> None:
     """A mixer: a base plate, a stem, a spout that bends down with a drop of water, and levers marked red and blue."""
@@ -317,12 +395,66 @@ def shower(b: Builder) -> None:
 
 @recipe("shower_head")
 def shower_head(b: Builder) -> None:
-    """Riser with hose and head."""
+    """A wide rose on a bent arm, from which water falls, a hand shower with its hose, a mixer with two taps."""
     w, d, h = b.w, b.d, b.h
-    b.rod((0, -d / 2 + 0.02, 0), (0, -d / 2 + 0.02, h - 0.03), 0.012, b.mat(), "riser", 10, solid=True)
-    b.rod((0, -d / 2 + 0.02, h - 0.05), (0, d / 2 - 0.06, h - 0.02), 0.012, b.mat(), "arm")
-    b.cyl(0, d / 2 - w * 0.3, (h - 0.07, h), w * 0.3, b.mat(), "head", n=20)
-    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.05), (0.0, 0.06), b.mat(), "mixer")
+    back, main = -d / 2, b.mat()
+    r = min(w / 2, d * 0.44)
+    bar = back + d * 0.14
+    rose = (0.0, d / 2 - r)
+    b.rod((0, bar, h * 0.16), (0, bar, h * 0.99), h * 0.008, main, "riser", 10, solid=True)
+    b.path([(0, bar, h * 0.985), (0, rose[1], h * 0.985), (*rose, h * 0.955)], h * 0.008, main, "arm")
+    b.lathe([(r * 0.96, h * 0.93), (r, h * 0.945), (r * 0.3, h * 0.957)], main, rose, "rose", 28)
+    for ring, count in ((0.3, 5), (0.7, 10)):
+        for k in range(count):
+            a = k * math.tau / count + ring
+            x, y = rose[0] + math.cos(a) * r * ring, rose[1] + math.sin(a) * r * ring
+            end = h * (0.66 + 0.05 * (k % 3))
+            b.rod((x, y, h * 0.93), (x, y, end), r * 0.035, "plastic_6fb8f0", "water", 5)
+            b.ball((x, y, end - h * 0.03), (r * 0.06, r * 0.06, h * 0.012), "plastic_6fb8f0", "water", 6, solid=False)
+    for z in (h * 0.2, h * 0.6):
+        b.rod((0, back, z), (0, bar, z), h * 0.007, main, "brackets", 8)
+    _hand_shower(b, bar)
+    half = min(w * 0.46, 0.15)
+    b.rod((-half * 0.7, bar, h * 0.16), (half * 0.7, bar, h * 0.16), min(0.028, d * 0.12), main, "mixer", 16)
+    for side, color in ((-1, "paint_2f6fe0"), (1, "paint_e8382e")):
+        b.rod((side * half * 0.7, bar, h * 0.16), (side * half, bar, h * 0.16), min(0.038, d * 0.14), main, "taps", 14)
+        b.rod(
+            (side * half * 0.66, bar, h * 0.16),
+            (side * half * 0.74, bar, h * 0.16),
+            min(0.04, d * 0.15),
+            color,
+            "taps",
+            14,
+        )
+
+
+def _hand_shower(b: Builder, bar: float) -> None:
+    """A hand shower in its holder, and a hose that hangs in a bow from it to the mixer."""
+    w, d, h = b.w, b.d, b.h
+    front = bar + d * 0.16
+    x = min(w * 0.2, 0.08)
+    b.rod((0, bar, h * 0.52), (x, front, h * 0.52), h * 0.009, "metal_9ba0a5", "holder", 8)
+    b.taper(
+        (x, front, h * 0.46),
+        (x, front + d * 0.08, h * 0.6),
+        (h * 0.009, h * 0.013),
+        "plastic_e8eaec",
+        "hand_shower",
+        10,
+    )
+    middle, out = (x, front + d * 0.1, h * 0.61), (0.0, d * 0.1, -h * 0.012)
+    face = (middle[0], middle[1] + out[1], middle[2] + out[2])
+    b.rod(middle, face, h * 0.032, "plastic_e8eaec", "hand_shower", 18)
+    b.rod(face, (face[0], face[1] + d * 0.01, face[2]), h * 0.026, "plastic_5a6470", "hand_shower", 18)
+    bow = [
+        (
+            x + (w * 0.44 - x) * math.sin(math.pi * k / 10) * 0.8 - x * k / 10,
+            front - (front - bar) * k / 10,
+            h * (0.46 - 0.3 * k / 10) - h * 0.36 * math.sin(math.pi * k / 10),
+        )
+        for k in range(11)
+    ]
+    b.path([(px, py, max(h * 0.01, pz)) for px, py, pz in bow], h * 0.0065, "metal_9ba0a5", "hose")
 
 
 @recipe("stall")

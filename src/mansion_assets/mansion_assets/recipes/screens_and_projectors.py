@@ -11,7 +11,7 @@ __all__: list[str] = []
 
 @recipe("screen")
 def screen(b: Builder) -> None:
-    """Television, monitor or wall display."""
+    """Monitor or wall display."""
     w, d, h = b.w, b.d, b.h
     if b.p.get("style") == "wall":
         low, y0, y1 = 0.0, -d / 2, d / 2
@@ -48,6 +48,44 @@ def screen(b: Builder) -> None:
         "screen",
         solid=False,
     )
+
+
+@recipe("television")
+def television(b: Builder) -> None:
+    """A thin set on two splayed feet, on which a newsreader speaks above a red bar that says NEWS."""
+    w, d, h = b.w, b.d, b.h
+    low, thick = h * 0.1, min(0.04, d * 0.3)
+    face, edge = thick / 2, min(0.012, w * 0.02)
+    for x in (-w * 0.34, w * 0.34):
+        for y in (-d / 2 + 0.006, d / 2 - 0.006):
+            b.rod((x, 0, low + 0.01), (x, y, 0.006), 0.006, b.mat(), "feet")
+    b.box((-w / 2, w / 2), (-face, face), (low, h), b.mat(), "case")
+    b.box((-w * 0.34, w * 0.34), (-face - min(0.03, d * 0.15), -face), (low, low + (h - low) * 0.5), b.mat(), "back")
+    inside, up = (-w / 2 + edge, w / 2 - edge), (low + edge * 1.6, h - edge)
+    b.box(inside, (face - 0.001, face + 0.0008), up, "picture_map", "screen", solid=False)
+    _newsreader(DrawnFace.front(b, face), inside[1], up)
+
+
+def _newsreader(face: DrawnFace, half: float, up: tuple[float, float]) -> None:
+    """Head and shoulders of somebody in a suit, and the bars of a news programme below."""
+    low, tall = up[0], up[1] - up[0]
+    u, r = half * 0.3, tall * 0.15
+    for k in range(6):
+        wide = tall * (0.17 + 0.03 * (5 - k) ** 0.7)
+        face.field((u - wide, u + wide), (low + tall * 0.07 * k, low + tall * 0.07 * (k + 1)), "screen_1f2f4f", "suit")
+    face.field((u - r * 0.4, u + r * 0.4), (low + tall * 0.3, low + tall * 0.48), "screen_f4f4f4", "suit", 0.003)
+    face.field((u - r * 0.14, u + r * 0.14), (low + tall * 0.2, low + tall * 0.44), "screen_c8201e", "suit", 0.004)
+    face.disc(u, low + tall * 0.7, r * 1.1, "screen_4a2a16", "head", 0.003, 20)
+    face.disc(u, low + tall * 0.64, r, "screen_e8b48c", "head", 0.004, 20)
+    for side in (-1, 1):
+        face.disc(u + side * r * 0.4, low + tall * 0.67, r * 0.12, "screen_2a1a10", "head", 0.005, 8)
+    face.field((u - r * 0.36, u + r * 0.36), (low + tall * 0.56, low + tall * 0.58), "screen_a03030", "head", 0.005)
+    face.field((-half, half), (low, low + tall * 0.1), "screen_f4f4f4", "bars", 0.005)
+    face.field((-half, half), (low + tall * 0.1, low + tall * 0.34), "screen_c8201e", "bars", 0.005)
+    face.write(
+        "NEWS", (-half * 0.92, half * 0.1), (low + tall * 0.13, low + tall * 0.31), "screen_ffffff", "letters", 0.007
+    )
+    face.field((-half * 0.9, half * 0.7), (low + tall * 0.035, low + tall * 0.065), "screen_5a6470", "bars", 0.006)
 
 
 @recipe("menu_screen")

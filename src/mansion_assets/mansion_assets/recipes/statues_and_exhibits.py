@@ -4,6 +4,7 @@ import itertools
 import math
 
 from mansion_assets.builder import Box, Builder
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
@@ -136,46 +137,76 @@ def _urn(b: Builder, base: float) -> None:
     )
 
 
-@recipe("dog_statue")
-def dog_statue(b: Builder) -> None:
-    """A dog on four legs with its ears down and its tail up, on a plinth."""
+@recipe("statuette")
+def statuette(b: Builder) -> None:
+    """A carving all of one stone or metal, on a plinth with a title: a dog that sits, a bust where it is upright."""
     w, d, h = b.w, b.d, b.h
-    base = h * 0.1
-    wood = "wood_walnut" if b.mat() != "wood_oak" else "wood_black"
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base), wood, "plinth")
-    main, s = b.mat(), (h - base)
-    b.cushion((-w * 0.28, w * 0.2), (-d * 0.3, d * 0.3), (base + s * 0.34, base + s * 0.66), main, "body", 0.8, 12)
-    for sx in (-0.22, 0.14):
-        for side in (-1, 1):
-            b.cyl(w * sx, side * d * 0.2, (base, base + s * 0.5), d * 0.1, main, "legs", d * 0.13, n=10)
-            b.ball((w * (sx + 0.03), side * d * 0.2, base + s * 0.04), (w * 0.06, d * 0.11, s * 0.05), main, "paws", 8)
-    b.rod((w * 0.14, 0, base + s * 0.56), (w * 0.28, 0, base + s * 0.82), d * 0.2, main, "neck", 12)
-    b.ball((w * 0.28, 0, base + s * 0.84), (w * 0.12, d * 0.27, s * 0.15), main, "head", 12)
-    b.ball((w * 0.4, 0, base + s * 0.79), (w * 0.1, d * 0.16, s * 0.08), main, "muzzle", 10)
-    b.ball((w * 0.48, 0, base + s * 0.82), (w * 0.025, d * 0.06, s * 0.03), "plastic_black", "nose", 8, solid=False)
+    base = h * 0.16
+    plinth = "stone_dark" if b.mat() != "stone_grey" else "stone_white"
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base * 0.5), plinth, "plinth")
+    b.box((-w * 0.44, w * 0.44), (-d * 0.44, d * 0.44), (base * 0.5, base), plinth, "plinth")
+    DrawnFace.front(b, d / 2).field((-w * 0.2, w * 0.2), (base * 0.1, base * 0.4), "metal_brass", "title", d * 0.006)
+    if h > 1.2 * max(w, d):
+        _carved_bust(b, base)
+    else:
+        _sitting_dog(b, base)
+
+
+def _sitting_dog(b: Builder, z: float) -> None:
+    """Haunches, a chest on straight fore legs, a head with hanging ears, a tail round the side."""
+    w, d, s, main = b.w, b.d, b.h - z, b.mat()
+    r = min(w * 0.5, d)
+    b.ball((-w * 0.14, 0, z + s * 0.24), (w * 0.2, d * 0.36, s * 0.26), main, "body", 14)
+    b.taper((-w * 0.14, 0, z + s * 0.3), (w * 0.1, 0, z + s * 0.66), (r * 0.3, r * 0.2), main, "body", 14)
+    b.ball((w * 0.08, 0, z + s * 0.52), (w * 0.12, d * 0.25, s * 0.18), main, "body", 12)
     for side in (-1, 1):
-        b.ball(
-            (w * 0.22, side * d * 0.28, base + s * 0.8),
-            (w * 0.06, d * 0.07, s * 0.16),
-            "stone_grey",
-            "ears",
-            8,
-            solid=False,
+        b.taper(
+            (w * 0.12, side * d * 0.15, z + s * 0.5),
+            (w * 0.18, side * d * 0.16, z),
+            (r * 0.1, r * 0.08),
+            main,
+            "legs",
+            10,
         )
-        b.ball(
-            (w * 0.37, side * d * 0.12, base + s * 0.9),
-            (w * 0.02, d * 0.05, s * 0.025),
-            "plastic_black",
-            "eyes",
-            6,
-            solid=False,
-        )
-    b.path(
-        [(-w * 0.26, 0, base + s * 0.58), (-w * 0.36, 0, base + s * 0.7), (-w * 0.38, 0, base + s * 0.98)],
-        d * 0.07,
+        b.ball((w * 0.22, side * d * 0.16, z + s * 0.04), (w * 0.07, d * 0.1, s * 0.05), main, "paws", 8)
+        b.ball((-w * 0.06, side * d * 0.3, z + s * 0.18), (w * 0.15, d * 0.12, s * 0.18), main, "legs", 10)
+        b.ball((w * 0.06, side * d * 0.32, z + s * 0.04), (w * 0.1, d * 0.1, s * 0.05), main, "paws", 8)
+        b.ball((w * 0.06, side * d * 0.24, z + s * 0.78), (w * 0.045, d * 0.08, s * 0.16), main, "ears", 8, solid=False)
+    b.ball((w * 0.13, 0, z + s * 0.84), (w * 0.11, d * 0.24, s * 0.16), main, "head", 14)
+    b.ball((w * 0.26, 0, z + s * 0.79), (w * 0.1, d * 0.13, s * 0.085), main, "muzzle", 12)
+    tail = [
+        (-w * 0.3, 0, z + s * 0.1),
+        (-w * 0.36, d * 0.2, z + s * 0.06),
+        (-w * 0.24, d * 0.38, z + s * 0.05),
+        (-w * 0.06, d * 0.42, z + s * 0.05),
+    ]
+    b.path(tail, r * 0.05, main, "tail")
+
+
+def _carved_bust(b: Builder, z: float) -> None:
+    """Shoulders cut off below the chest on a round foot, a neck, and a head with a nose, ears and curls."""
+    w, d, s, main = b.w, b.d, b.h - z, b.mat()
+    foot = [(0.26, z), (0.22, z + s * 0.04), (0.12, z + s * 0.1), (0.2, z + s * 0.2)]
+    b.lathe(foot, main, stretch=(w, d), part="foot", n=20)
+    b.ball((0, 0, z + s * 0.3), (w * 0.46, d * 0.32, s * 0.16), main, "shoulders", 16)
+    b.taper((0, -d * 0.02, z + s * 0.34), (0, 0, z + s * 0.6), (min(w, d) * 0.17, min(w, d) * 0.13), main, "neck", 14)
+    b.ball((0, d * 0.02, z + s * 0.76), (w * 0.21, d * 0.25, s * 0.19), main, "head", 18)
+    b.prism(
+        [(d * 0.24, z + s * 0.8), (d * 0.36, z + s * 0.71), (d * 0.22, z + s * 0.7)],
+        (-w * 0.035, w * 0.035),
         main,
-        "tail",
+        part="nose",
     )
+    b.ball((0, d * 0.2, z + s * 0.64), (w * 0.07, d * 0.07, s * 0.03), main, "chin", 8)
+    for side in (-1, 1):
+        b.ball((side * w * 0.21, 0, z + s * 0.75), (w * 0.03, d * 0.05, s * 0.045), main, "ears", 8)
+        b.ball((side * w * 0.08, d * 0.215, z + s * 0.785), (w * 0.045, d * 0.04, s * 0.016), main, "brows", 8)
+    for k in range(16):
+        a, ring = k * math.tau / 8 + 0.4 * (k // 8), k // 8
+        out = (0.2, 0.12)[ring]
+        spot = (math.cos(a) * w * out, -d * 0.03 + math.sin(a) * d * out, z + s * (0.87 + 0.06 * ring))
+        if spot[1] < d * 0.14 or ring:
+            b.ball(spot, (w * 0.075, d * 0.075, s * 0.06), main, "curls", 8, solid=False)
 
 
 @recipe("mannequin")

@@ -9,12 +9,12 @@ from mansion_assets.catalogue.receptacles import Receptacle, inset, surface
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
 
-__all__: list[str] = []
+__all__ = ["end_panels", "four_legs", "sled_frames", "table_top"]
 
 
 def _supports(b: Builder, style: str, z: float, frame: str) -> None:
     """Legs below a top at height `z`."""
-    _SUPPORTS.get(style, _four_legs)(b, z, frame)
+    _SUPPORTS.get(style, four_legs)(b, z, frame)
 
 
 def _pedestal(b: Builder, z: float, frame: str) -> None:
@@ -32,7 +32,7 @@ def _pedestal(b: Builder, z: float, frame: str) -> None:
     b.cyl(0, 0, (0.03, z), 0.05, frame, "legs")
 
 
-def _panels(b: Builder, z: float, frame: str) -> None:
+def end_panels(b: Builder, z: float, frame: str) -> None:
     """A panel at each end and one across the back."""
     w, d = b.w, b.d
     for sx in (-1, 1):
@@ -56,7 +56,7 @@ def _tee(b: Builder, z: float, frame: str) -> None:
         _end_frame(b, side, z, frame, (0.0,))
 
 
-def _sled(b: Builder, z: float, frame: str) -> None:
+def sled_frames(b: Builder, z: float, frame: str) -> None:
     reach = (-b.d / 2 + 0.03, b.d / 2 - 0.03)
     for side in (-1, 1):
         _end_frame(b, side, z, frame, (reach[0] + 0.03, reach[1] - 0.03))
@@ -84,7 +84,7 @@ def _cloth(b: Builder, z: float, frame: str) -> None:
     b.lathe([(0.5, 0.0), (0.47, z)], b.mat(), stretch=(b.w, b.d), part="cloth", n=28)
 
 
-def _four_legs(b: Builder, z: float, frame: str) -> None:
+def four_legs(b: Builder, z: float, frame: str) -> None:
     """Four legs joined by an apron."""
     w, d = b.w, b.d
     b.legs((0, z), min(0.035, w * 0.04), frame, 0.02)
@@ -98,16 +98,16 @@ def _four_legs(b: Builder, z: float, frame: str) -> None:
 
 _SUPPORTS: dict[str, Callable[[Builder, float, str], None]] = {
     "pedestal": _pedestal,
-    "panel": _panels,
+    "panel": end_panels,
     "tee": _tee,
-    "sled": _sled,
+    "sled": sled_frames,
     "cee": _cee,
     "trestle": _trestles,
     "cloth": _cloth,
 }
 
 
-def _top(b: Builder, z: float, thick: float, *, round_: bool) -> None:
+def table_top(b: Builder, z: float, thick: float, *, round_: bool) -> None:
     w, d = b.w, b.d
     if round_:
         b.lathe([(0.485, z - thick), (0.5, z - thick * 0.5), (0.5, z)], b.mat(), stretch=(w, d), part="top", n=32)
@@ -115,7 +115,7 @@ def _top(b: Builder, z: float, thick: float, *, round_: bool) -> None:
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - thick, z), b.mat(), "top")
 
 
-@receptacles("table")
+@receptacles("table", "conference_table", "evidence_table", "kids_table", "coffee_table")
 def _table_top(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     return [surface("top", inset(size, 0.02), size[2], 1.2, round_=p.get("shape") == "round")]
 
@@ -125,7 +125,7 @@ def table(b: Builder) -> None:
     """Rectangular or round top on legs, a pedestal, panels or frames."""
     h = b.h
     thick = min(0.04, h * 0.1)
-    _top(b, h, thick, round_=b.p.get("shape") == "round")
+    table_top(b, h, thick, round_=b.p.get("shape") == "round")
     style = str(b.p.get("legs", "four"))
     frame = b.mat("frame", b.mat() if style != "cloth" else "metal_grey")
     _supports(b, style, h - thick, frame)
@@ -150,7 +150,7 @@ def _drawers(b: Builder, x: tuple[float, float], z: float) -> None:
             b.box(*grip, "metal_steel", "handles", solid=False)
 
 
-@receptacles("desk")
+@receptacles("desk", "office_desk")
 def _desk_tops(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     if h <= 0.95:
@@ -191,7 +191,7 @@ def desk(b: Builder) -> None:
     w, d = b.w, b.d
     z = b.tops[0].z
     style = str(b.p.get("legs", "panel"))
-    _top(b, z, 0.03, round_=False)
+    table_top(b, z, 0.03, round_=False)
     _supports(b, style, z - 0.03, b.mat("frame", b.mat()))
     if style == "panel" and (b.p.get("drawers") or w > 1.0) and d > 0.3:
         width = min(0.42, w * 0.32)

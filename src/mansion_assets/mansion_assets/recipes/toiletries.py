@@ -1,5 +1,6 @@
 """Toiletries: soap, shampoo, toothpaste, perfume, brushes."""
 
+import itertools
 import math
 
 from mansion_assets.builder import Builder
@@ -225,10 +226,43 @@ def hair_brush(b: Builder) -> None:
 
 @recipe("hair_dryer")
 def hair_dryer(b: Builder) -> None:
-    """Pistol shape: dryer, cordless drill."""
+    """A barrel with a grille behind and a flat nozzle, a slanted grip with switches, and a cord with its plug."""
     w, d, h = b.w, b.d, b.h
-    r = min(d / 2, h * 0.22)
-    b.rod((-w / 2 + w * 0.15, 0, h - r), (w * 0.2, 0, h - r), r, b.mat(), "body", 16, solid=True)
-    b.rod((w * 0.2, 0, h - r), (w / 2, 0, h - r), r * 0.5, "plastic_black", "nozzle", 12)
-    b.ball((-w / 2 + w * 0.15, 0, h - r), (w * 0.15, r, r), b.mat(), "back", 10, solid=False)
-    b.box((-w * 0.25, -w * 0.02), (-d * 0.3, d * 0.3), (0, h - r), "plastic_black", "grip")
+    main, dark = b.mat(), "plastic_3a3d42"
+    r = d * 0.46
+    z = h - r
+    barrel = [(-w * 0.36, r * 0.9), (-w * 0.3, r), (-w * 0.04, r), (w * 0.2, r * 0.62)]
+    for (x0, r0), (x1, r1) in itertools.pairwise(barrel):
+        b.taper((x0, 0, z), (x1, 0, z), (r0, r1), main, "body", 20)
+    b.rod((w * 0.17, 0, z), (w * 0.23, 0, z), r * 0.66, "plastic_d9a441", "ring", 20)
+    for k in range(4):
+        x = -w * (0.37 + 0.012 * k)
+        b.rod((x, 0, z), (x - w * 0.006, 0, z), r * (0.86 - 0.2 * k), ("plastic_9ba0a5", dark)[k % 2], "grille", 18)
+    mouth = [(w * 0.23, -r * 0.5), (w * 0.23, r * 0.5), (w / 2, d / 2), (w / 2, -d / 2)]
+    b.prism(mouth, (z - r * 0.3, z + r * 0.3), "plastic_9ba0a5", "z", "nozzle")
+    b.box((w / 2 - 0.001, w / 2), (-d * 0.44, d * 0.44), (z - r * 0.16, z + r * 0.16), "plastic_black", "nozzle")
+    grip = [(-w * 0.2, z - r * 0.6), (w * 0.0, z - r * 0.6), (-w * 0.1, h * 0.06), (-w * 0.26, h * 0.06)]
+    b.prism(grip, (-d * 0.2, d * 0.2), main, "y", "grip")
+    for level, color in ((0.44, "plastic_red"), (0.34, "plastic_4f9bd9")):
+        across = (-w * (0.17 + 0.1 * (0.44 - level)), -w * (0.08 + 0.1 * (0.44 - level)))
+        b.box(across, (d * 0.2, d * 0.25), (h * (level - 0.03), h * (level + 0.03)), color, "switches")
+    _cord(b)
+
+
+def _cord(b: Builder) -> None:
+    """A cord from the foot of the grip, in a bow on the table, and its plug."""
+    w, d, h = b.w, b.d, b.h
+    r = h * 0.018
+    bow = [
+        (-w * 0.18, 0, h * 0.06),
+        (-w * 0.2, 0, r),
+        (-w * 0.1, d * 0.36, r),
+        (w * 0.1, d * 0.4, r),
+        (w * 0.22, d * 0.1, r),
+        (w * 0.28, -d * 0.2, r),
+        (w * 0.36, -d * 0.06, r),
+    ]
+    b.path(bow, r, "rubber_black", "cord")
+    b.box((w * 0.34, w * 0.43), (-d * 0.16, d * 0.06), (0, h * 0.07), "plastic_white", "plug")
+    for y in (-d * 0.11, d * 0.01):
+        b.rod((w * 0.43, y, h * 0.035), (w * 0.48, y, h * 0.035), h * 0.01, "metal_brass", "plug", 8)

@@ -12,7 +12,7 @@ from mansion_msgs_py.shapes import Size3
 __all__: list[str] = []
 
 
-@receptacles("trolley")
+@receptacles("trolley", "linen_cart")
 def _trolley_shelves(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     h = size[2]
     count = int(p.get("levels", 2))
@@ -47,6 +47,58 @@ def trolley(b: Builder) -> None:
     if fill != "none":
         t = b.tops[-1]
         goods(b, fill, Rect(t.x0, t.x1, t.y0, t.y1, 0.12, t.z - 0.05), d * 0.8, 1)
+
+
+@recipe("linen_cart")
+def linen_cart(b: Builder) -> None:
+    """Trays with folded towels along their back, a bag for the used ones at either end, one with the word LINEN."""
+    trolley(b)
+    w, d, h = b.w, b.d, b.h
+    back = (-d / 2 + 0.002, -d / 2 + 0.048)
+    b.box((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2, back[0]), (0.2, h - 0.03), "metal_light", "back", solid=False)
+    for number, shelf in enumerate(sorted(b.tops)):
+        room = min(shelf.top, h - 0.01) - shelf.z
+        for k in range(3):
+            x0 = -w * 0.42 + k * w * 0.285
+            layers = max(1, int(room * (0.9 - 0.16 * ((k + number) % 3)) / 0.055))
+            for layer in range(min(layers, 5)):
+                z = shelf.z + layer * 0.055
+                color = ("fabric_white", "fabric_8fc3e8", "fabric_white", "fabric_f0d9a8")[(k + layer + number) % 4]
+                b.cushion((x0, x0 + w * 0.265), back, (z, z + 0.053), color, "towels", 0.6, 8, solid=False)
+        _draped_towels(b, shelf.z, number)
+    for side in (-1, 1):
+        _used_linen_bag(b, side)
+    bag = DrawnFace.side(b, w / 2 - 0.004)
+    bag.write("LINEN", (-d * 0.4, d * 0.4), (h * 0.25, h * 0.48), "plastic_white", "letters", 0.005)
+
+
+def _draped_towels(b: Builder, z: float, number: int) -> None:
+    """Three striped towels that hang over the front edge of a tray."""
+    w, d = b.w, b.d
+    face = DrawnFace.front(b, d / 2)
+    for k in range(3):
+        u = (k - 1) * w * 0.27
+        color = ("fabric_f4f4f0", "fabric_8fc3e8", "fabric_f0d9a8")[(k + number) % 3]
+        stripe = ("fabric_2f6fb0", "fabric_f4f4f0", "fabric_c8602f")[(k + number) % 3]
+        low = z - 0.15 - 0.02 * ((k + number) % 2)
+        b.box(
+            (-u - w * 0.12, -u + w * 0.12), (d / 2 - 0.04, d / 2 + 0.004), (z, z + 0.008), color, "towels", solid=False
+        )
+        face.field((u - w * 0.12, u + w * 0.12), (low, z + 0.006), color, "towels", 0.004)
+        for level in (0.02, 0.05):
+            face.field((u - w * 0.12, u + w * 0.12), (low + level, low + level + 0.015), stripe, "towels", 0.005)
+
+
+def _used_linen_bag(b: Builder, side: int) -> None:
+    """A blue bag that hangs flat from the rail at one end, with a rim, hooks and a towel that looks out."""
+    w, d, h = b.w, b.d, b.h
+    across = sorted((side * (w / 2 - 0.046), side * (w / 2 - 0.004)))
+    x = (across[0], across[1])
+    b.cushion(x, (-d * 0.44, d * 0.44), (h * 0.2, h * 0.9), "fabric_2f6fb0", "bags", 0.5, 10, solid=False)
+    b.box(x, (-d * 0.42, d * 0.42), (h * 0.86, h * 0.9), "fabric_1f4f86", "bags", solid=False)
+    for y in (-d * 0.3, d * 0.3):
+        b.rod((sum(x) / 2, y, h * 0.9), (sum(x) / 2, y, h - 0.02), 0.006, "metal_chrome", "hooks", 6)
+    b.cushion(x, (-d * 0.2, d * 0.24), (h * 0.86, h * 0.94), "fabric_white", "towels", 0.8, 8, solid=False)
 
 
 @recipe("shopping_cart")

@@ -1,5 +1,7 @@
 """Fittings of bathrooms and washrooms: bars and hangers, dryers, dispensers, scales."""
 
+import math
+
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
@@ -27,14 +29,56 @@ def towel_bar(b: Builder) -> None:
         )
 
 
+@recipe("grab_bar")
+def grab_bar(b: Builder) -> None:
+    """A thick bar with bent ends on round plates with screws, ribbed in red where the hand holds it."""
+    w, d, h = b.w, b.d, b.h
+    r, z, plate = min(0.017, h * 0.36), h / 2, h / 2
+    y = d / 2 - r
+    x = w / 2 - plate
+    bend = min(0.05, w * 0.1)
+    turns = [k * math.pi / 10 for k in range(6)]
+    for side in (-1, 1):
+        arc = [(side * (x - bend * (1 - math.cos(a))), y - bend * (1 - math.sin(a)), z) for a in turns]
+        b.path([(side * x, -d / 2, z), *arc], r, b.mat(), "bar")
+        b.rod((side * x, -d / 2, z), (side * x, -d / 2 + 0.01, z), plate, b.mat(), "plates", 24)
+        for k in range(3):
+            a = math.pi / 2 + k * math.tau / 3
+            spot = (side * x + math.cos(a) * plate * 0.84, z + math.sin(a) * plate * 0.84)
+            b.rod(
+                (spot[0], -d / 2 + 0.01, spot[1]), (spot[0], -d / 2 + 0.013, spot[1]), 0.0025, "metal_dark", "screws", 8
+            )
+    b.rod((-x + bend, y, z), (x - bend, y, z), r, b.mat(), "bar", 14, solid=True)
+    half = (x - bend) * 0.62
+    b.rod((-half, y, z), (half, y, z), r * 1.12, "rubber_d8281e", "grip", 16)
+    for k in range(14):
+        rib = -half + 2 * half * (k + 0.5) / 14
+        b.rod((rib - half * 0.02, y, z), (rib + half * 0.02, y, z), r * 1.24, "rubber_8a1812", "ribs", 16)
+
+
 @recipe("paper_hanger")
 def paper_hanger(b: Builder) -> None:
-    """Holder with a roll."""
+    """A roll of paper on an arm that is open at one end, its core in sight, and a dotted sheet that hangs down."""
     w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + min(0.01, d * 0.3)), (0, h), b.mat(), "plate")
-    r = min(h, d) * 0.42
-    b.rod((-w * 0.3, d / 2 - r, h / 2), (w * 0.3, d / 2 - r, h / 2), r, "paper_white", "roll", 16)
-    b.rod((-w / 2, d / 2 - r, h / 2), (w / 2, d / 2 - r, h / 2), min(0.006, r * 0.3), b.mat(), "pin")
+    wide = h > d * 0.9
+    r = min(d * 0.46, h * (0.36 if wide else 0.42))
+    y, z = d / 2 - r, h - r
+    roll = (-w * 0.3, min(w * 0.3, w / 2 - r * 0.12))
+    b.box((-w * 0.46, w * 0.46), (-d / 2, -d / 2 + min(0.008, d * 0.12)), (h * 0.3, h), b.mat(), "plate")
+    b.rod((roll[0], y, z), (roll[1], y, z), r, "paper_white", "roll", 28)
+    for k, color in enumerate(("paper_d9dcde", "paper_white", "paper_d9dcde", "paper_b98d5c", "plastic_26272b")):
+        share = (0.86, 0.78, 0.56, 0.46, 0.32)[k]
+        b.rod((roll[1], y, z), (roll[1] + w * 0.002 * (k + 1), y, z), r * share, color, "core", 20)
+    arm = max(0.004, r * 0.14)
+    b.rod((-w / 2 + arm, y, z), (w / 2, y, z), arm, b.mat(), "pin", 10)
+    b.rod((-w / 2 + arm, -d / 2, z), (-w / 2 + arm, y, z), arm, b.mat(), "arm", 10)
+    b.box((roll[0], roll[1]), (d / 2 - r * 0.04 - 0.001, d / 2), (0, z), "paper_white", "sheet", solid=False)
+    face = DrawnFace.front(b, d / 2)
+    line = z * 0.42
+    for k in range(11):
+        u = -roll[1] + (roll[1] - roll[0]) * (k + 0.25) / 11
+        dash = (roll[1] - roll[0]) * 0.5 / 11
+        face.field((u, u + dash), (line - h * 0.008, line + h * 0.008), "plastic_8d959c", "dots", 0.0008)
 
 
 @recipe("hand_dryer")
