@@ -38,7 +38,7 @@ def _mattress(b: Builder, z: float, low: float, pillows: int, sheet: str, inset:
         )
 
 
-@receptacles("bed", "stretcher", "exam_table", "operating_table", "lounger")
+@receptacles("bed", "stretcher", "exam_table", "operating_table", "massage_table", "lounger")
 def _mattresses(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     tiers = int(p.get("tiers", 2 if h > 1.5 else 1))

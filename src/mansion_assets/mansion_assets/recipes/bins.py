@@ -188,22 +188,45 @@ def _hung_sock(b: Builder, x: float, high: float) -> None:
 
 @recipe("basket")
 def basket(b: Builder) -> None:
-    """Woven or wire basket with two handles."""
+    """A basket of woven willow with a rim of cane, an arched handle from end to end, a checked cloth over its edge."""
     w, d, h = b.w, b.d, b.h
-    count = max(3, round(h / 0.05))
-    for k in range(count):
-        z0, z1 = h * k / count, h * (k + 1) / count - 0.006 * (k < count - 1)
-        grow = 0.9 + 0.1 * k / (count - 1)
-        for sx in (-1, 1):
-            lo, hi = sorted((sx * w / 2 * grow, sx * (w / 2 * grow - 0.015)))
-            b.box((lo, hi), (-d / 2 * grow, d / 2 * grow), (z0, z1), b.mat(), "weave")
-        for sy in (-1, 1):
-            lo, hi = sorted((sy * d / 2 * grow, sy * (d / 2 * grow - 0.015)))
-            b.box((-w / 2 * grow, w / 2 * grow), (lo, hi), (z0, z1), b.mat(), "weave")
-    b.box((-w * 0.44, w * 0.44), (-d * 0.44, d * 0.44), (0, 0.01), b.mat(), "floor")
+    high, t, x, y = h * 0.58, 0.012, w / 2 - 0.012, d / 2 - 0.012
+    for side in (-1, 1):
+        across, deep = sorted((side * x, side * (x - t))), sorted((side * y, side * (y - t)))
+        b.box((across[0], across[1]), (-y, y), (0, high), "wood_8a5a2a", "walls", solid=False)
+        b.box((-x, x), (deep[0], deep[1]), (0, high), "wood_8a5a2a", "walls", solid=False)
+    b.box((-x, x), (-y, y), (0, 0.01), "wood_8a5a2a", "floor")
+    for face, half in ((DrawnFace.front(b, y), x), (DrawnFace.side(b, x), y)):
+        _willow(face, half, high)
+    for z in (0.01, high):
+        corners = [(-x, -y, z), (x, -y, z), (x, y, z), (-x, y, z), (-x, -y, z)]
+        b.path(corners, 0.011, "wood_d8a860", "rim")
+    arch = [(math.cos(k * math.pi / 14), math.sin(k * math.pi / 14) ** 0.6) for k in range(15)]
+    for y0 in (-0.008, 0.008):
+        b.path([(u * x, y0, high + v * (h - 0.011 - high)) for u, v in arch], 0.011, "wood_d8a860", "handle")
+    cloth = DrawnFace.front(b, y + 0.006)
+    u = (-w * 0.3, w * 0.12)
+    b.box((-u[1], -u[0]), (y - 0.05, y + 0.01), (high, high + 0.013), "fabric_white", "cloth", solid=False)
+    cloth.field(u, (high * 0.3, high + 0.012), "fabric_white", "cloth", 0.004)
+    for k in range(4):
+        left, low = u[0] + (u[1] - u[0]) * k / 4, high * (0.36 + 0.17 * k)
+        cloth.field((left, left + w * 0.05), (high * 0.3, high + 0.013), "fabric_d8281e", "checks", 0.0045)
+        cloth.field(u, (low, low + high * 0.08), "fabric_d8281e", "checks", 0.005)
 
 
-@receptacles("open_top")
+def _willow(face: DrawnFace, half: float, high: float) -> None:
+    """Rods that pass before and behind the uprights in turn."""
+    rows, columns = 6, 9
+    for row in range(rows):
+        v, shift = high * (row + 0.5) / rows, 0.5 * (row % 2)
+        for column in range(columns + row % 2):
+            u = [half * (2 * (column - shift + share) / columns - 1) for share in (0.12, 0.88)]
+            if u[1] > -half and u[0] < half:
+                ends = (max(u[0], -half), v), (min(u[1], half), v)
+                face.line(list(ends), high / rows * 0.4, ("wood_c8964e", "wood_dcb070")[row % 2], "weave")
+
+
+@receptacles("open_top", "fruit_stand")
 def _open_tray(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     """A tray of goods: stands, chest freezers, cradles."""
     h = size[2]
