@@ -195,7 +195,8 @@ def basket(b: Builder) -> None:
         across, deep = sorted((side * x, side * (x - t))), sorted((side * y, side * (y - t)))
         b.box((across[0], across[1]), (-y, y), (0, high), "wood_8a5a2a", "walls", solid=False)
         b.box((-x, x), (deep[0], deep[1]), (0, high), "wood_8a5a2a", "walls", solid=False)
-    b.box((-x, x), (-y, y), (0, 0.01), "wood_8a5a2a", "floor")
+    b.box((-x, x), (-y, y), (0, 0.01), "wood_8a5a2a", "floor", solid=False)
+    _hollow(b, high, t, 0.94)
     for face, half in ((DrawnFace.front(b, y), x), (DrawnFace.side(b, x), y)):
         _willow(face, half, high)
     for z in (0.01, high):
@@ -232,45 +233,6 @@ def _open_tray(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     h = size[2]
     depth = float(p.get("depth", h * 0.3))
     return [volume("tray", inset(size, 0.05), h - depth, h)]
-
-
-@recipe("open_top")
-def open_top(b: Builder) -> None:
-    """Stand open at the top: fruit, frozen food, flowers."""
-    w, d, h = b.w, b.d, b.h
-    depth, fill, main = float(b.p.get("depth", h * 0.3)), str(b.p.get("fill", "fruit")), b.mat()
-    t = 0.05
-    low = h - depth
-    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.02, d / 2 - 0.02), (0.06, low), main, "base")
-    b.box(
-        (-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.05, d / 2 - 0.05), (0, 0.06), "plastic_dark", "plinth", solid=False
-    )
-    for sx in (-1, 1):
-        lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
-        b.box((lo, hi), (-d / 2, d / 2), (low - 0.1, h), main, "rim")
-    for sy in (-1, 1):
-        lo, hi = sorted((sy * d / 2, sy * (d / 2 - t)))
-        b.box((-w / 2, w / 2), (lo, hi), (low - 0.1, h), main, "rim")
-    _tray(b, fill, low, depth)
-
-
-def _tray(b: Builder, fill: str, z: float, depth: float) -> None:
-    w, d = b.w - 0.12, b.d - 0.12
-    cols, rows = max(2, round(w / 0.32)), max(1, round(d / 0.32))
-    colors = {
-        "fruit": ("food_red", "food_green", "food_orange", "food_yellow", "food_purple"),
-        "frozen": ("paper_blue", "paper_white", "paper_red"),
-        "flowers": ("leaf_red", "leaf_yellow", "leaf_pink", "leaf_white"),
-    }.get(fill, ("food_yellow",))
-    for i in range(cols):
-        for j in range(rows):
-            x0, y0 = -w / 2 + i * w / cols, -d / 2 + j * d / rows
-            x, y = (x0 + 0.01, x0 + w / cols - 0.01), (y0 + 0.01, y0 + d / rows - 0.01)
-            color = colors[(i + 2 * j) % len(colors)]
-            if fill in ("fruit", "flowers"):
-                b.cushion(x, y, (z - 0.02, z + depth * 0.75), color, "goods", 0.95, 8, solid=False)
-            else:
-                b.box(x, y, (z, z + depth * (0.45 + 0.1 * ((i + j) % 3))), color, "goods", solid=False)
 
 
 @recipe("rubbish_sack")

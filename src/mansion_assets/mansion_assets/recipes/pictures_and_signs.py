@@ -104,7 +104,7 @@ def _leaning_face(b: Builder, lean: float) -> None:
     w, d, h = b.w, b.d, b.h
     face = str(b.p.get("face", "paper_white"))
     rim = _rim(b)
-    low = h * (0.38 if h > 1.0 and face != "glass_mirror" else 0.06)
+    low = h * (0.38 if h > 1.0 else 0.06)
     s0, s1 = d / 2 - lean * low / h, d / 2 - lean * 0.97
     b.prism(
         [(s0, low), (s0 + 0.006, low), (s1 + 0.006, h * 0.97), (s1, h * 0.97)],

@@ -358,7 +358,8 @@ def bathtub(b: Builder) -> None:
     for k in range(len(outer)):
         following = (k + 1) % len(outer)
         for edge, z in ((outer, (low, rim - 0.03)), (lip, (rim - 0.03, rim))):
-            b.prism([edge[k], edge[following], inner[following], inner[k]], z, main, "z", "sides", solid=False)
+            corners = [edge[k], edge[following], inner[following], inner[k]]
+            b.prism(corners, z, main, "z", "sides", solid=edge is outer and k % 6 == 5)
     b.prism(inner, (floor, floor + 0.003), "plastic_7fd0f0", "z", "water", solid=False)
     for x, y in ((-0.4, -0.42), (0.4, -0.42), (-0.4, 0.42), (0.4, 0.42)):
         b.ball((x * w, y * d, low * 0.4), (0.055, 0.055, low * 0.4), "metal_f2c94a", "feet", 10)

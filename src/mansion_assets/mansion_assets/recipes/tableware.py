@@ -34,11 +34,16 @@ def drinking_cup(b: Builder) -> None:
     x, wide = b.w / 2 - b.w * 0.39, b.w * 0.78
     profile = [(0.36, 0), (0.38, h * 0.04), (0.5, h), (0.46, h), (0.34, h * 0.06)]
     b.lathe(profile, b.mat(), (x, 0), n=24, stretch=(wide, b.d * 0.99))
-    for share in (0.12, 0.2, 0.84, 0.98):
-        radius = (0.38 + 0.12 * share) * 0.98
-        ring = [(math.cos(k * math.tau / 16) * radius, math.sin(k * math.tau / 16) * radius) for k in range(17)]
-        points = [(x + u * wide, v * b.d * 0.98, h * share) for u, v in ring]
-        b.path(points, h * 0.02, "ceramic_2f6fd0", "bands")
+    turns = [(math.cos(k * math.tau / 18), math.sin(k * math.tau / 18)) for k in range(19)]
+    steps = 6
+    for k in range(steps):
+        low, high = h * (0.02 + 0.158 * k), h * (0.178 + 0.158 * k)
+        inner, outer = (size * (0.38 + 0.12 * high / h) for size in (0.99, 1.03))
+        color = ("ceramic_f58a1e", "ceramic_2f6fd0")[0 < k < steps - 1]
+        for start, end in itertools.pairwise(turns):
+            corners = ((start, outer), (end, outer), (end, inner), (start, inner))
+            panel = [(x + u * size * wide, v * size * b.d * 0.99) for (u, v), size in corners]
+            b.prism(panel, (low, high), color, "z", "bands", solid=False)
     ear = [(-0.1, 0.76), (0.5, 0.82), (0.93, 0.7), (0.93, 0.46), (0.6, 0.3), (-0.1, 0.26)]
     start, reach = x - wide * 0.43, b.w / 2 + x - wide * 0.43
     b.path([(start - reach * u, 0, h * v) for u, v in ear], r * 0.13, "ceramic_2f6fd0", "handle")
