@@ -167,9 +167,9 @@ def recliner(b: Builder) -> None:
     b.box((-w / 2 + arm, w / 2 - arm), (-d * 0.3, front), (0.06, seat - 0.12), main, "base")
     b.cushion((-w / 2 + arm, w / 2 - arm), (-d * 0.26, front + 0.02), (seat - 0.16, seat), main, "seat", 0.5)
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * (w / 2 - arm)))
-        b.cushion((x[0], x[1]), (-d * 0.32, front), (0.05, seat + 0.1), main, "arms", 0.3)
-        b.cushion((x[0], x[1]), (-d * 0.3, front + 0.03), (seat + 0.05, seat + 0.19), main, "arms", 0.8)
+        span = sorted((side * w / 2, side * (w / 2 - arm)))
+        b.cushion((span[0], span[1]), (-d * 0.32, front), (0.05, seat + 0.1), main, "arms", 0.3)
+        b.cushion((span[0], span[1]), (-d * 0.3, front + 0.03), (seat + 0.05, seat + 0.19), main, "arms", 0.8)
         for y in (-d * 0.26, front - 0.06):
             b.cyl(side * (w / 2 - arm / 2), y, (0, 0.07), 0.035, "wood_walnut", "feet", n=10)
     low, high = (-d * 0.2, seat - 0.06), (-d / 2 + 0.13, h - 0.08)

@@ -103,9 +103,9 @@ def fruit_stand(b: Builder) -> None:
     b.box((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.05, d / 2 - 0.05), (0, 0.06), "plastic_dark", "plinth")
     rim = low + (h - low) * 0.4
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (low - 0.1, rim), main, "rim")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (low - 0.1, rim), main, "rim")
+        across, deep = (sorted((side * long / 2, side * (long / 2 - t))) for long in (w, d))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (low - 0.1, rim), main, "rim")
+        b.box((-w / 2, w / 2), (deep[0], deep[1]), (low - 0.1, rim), main, "rim")
     b.box((-w / 2, w / 2), (-t / 2, t / 2), (low, rim), main, "rim", solid=False)
     b.box((-t / 2, t / 2), (-d / 2, d / 2), (low, rim), main, "rim", solid=False)
     face = DrawnFace.front(b, d / 2 - 0.02)

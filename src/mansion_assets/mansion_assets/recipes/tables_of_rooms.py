@@ -113,8 +113,8 @@ def training_table(b: Builder) -> None:
     holes = DrawnFace.front(b, 0.0)
     for row in range(3):
         for k in range(12):
-            u, v = -w * 0.38 + k * w * 0.76 / 11, panel[0] + (panel[1] - panel[0]) * (0.25 + 0.25 * row)
-            holes.disc(u, v, 0.018, "plastic_1c2a3a", "holes", 0.002, 8)
+            along, up = -w * 0.38 + k * w * 0.76 / 11, panel[0] + (panel[1] - panel[0]) * (0.25 + 0.25 * row)
+            holes.disc(along, up, 0.018, "plastic_1c2a3a", "holes", 0.002, 8)
     face.field((-0.006, 0.006), (-d / 2, d / 2), "plastic_26272b", "joint", _PRINT * 0.5)
     for v in (-d * 0.3, d * 0.3):
         face.field((-0.07, 0.07), (v - 0.03, v + 0.03), "metal_8a9096", "hinges", _PRINT)
@@ -136,8 +136,8 @@ def patio_table(b: Builder) -> None:
     for k in range(count):
         x = (-w / 2 + w * (k + 0.06) / count, -w / 2 + w * (k + 0.94) / count)
         middle = abs(x[0] + x[1]) / 2 < w / count * 0.6
-        for y in ((-d / 2, -hole), (hole, d / 2)) if middle else ((-d / 2, d / 2),):
-            b.box(x, y, (h - thick, h), "wood_b8763a" if dark else b.mat(), "slats")
+        for span in ((-d / 2, -hole), (hole, d / 2)) if middle else ((-d / 2, d / 2),):
+            b.box(x, span, (h - thick, h), "wood_b8763a" if dark else b.mat(), "slats")
     for y in (-d * 0.36, d * 0.36):
         b.box(
             (-w / 2 + 0.02, w / 2 - 0.02), (y - 0.03, y + 0.03), (h - thick - 0.03, h - thick), "metal_26302a", "rails"
@@ -168,8 +168,8 @@ def student_desk(b: Builder) -> None:
     b.box((-half, half), (-d / 2 + 0.06, d / 2 - 0.06), (low, low + 0.015), b.mat(), "shelf")
     b.box((-half, half), (-d / 2 + 0.06, -d / 2 + 0.075), (low, h - 0.03), b.mat(), "shelf")
     for side in (-1, 1):
-        x = sorted((side * half, side * (half - 0.012)))
-        b.box((x[0], x[1]), (-d / 2 + 0.06, d / 2 - 0.06), (low, h - 0.03), b.mat(), "shelf")
+        wall = sorted((side * half, side * (half - 0.012)))
+        b.box((wall[0], wall[1]), (-d / 2 + 0.06, d / 2 - 0.06), (low, h - 0.03), b.mat(), "shelf")
     count = int(half * 2 / 0.13)
     for k in range(count):
         x = -half + 0.02 + k * (2 * half - 0.04) / count

@@ -45,8 +45,8 @@ def drinking_cup(b: Builder) -> None:
             panel = [(x + u * size * wide, v * size * b.d * 0.99) for (u, v), size in corners]
             b.prism(panel, (low, high), color, "z", "bands", solid=False)
     ear = [(-0.1, 0.76), (0.5, 0.82), (0.93, 0.7), (0.93, 0.46), (0.6, 0.3), (-0.1, 0.26)]
-    start, reach = x - wide * 0.43, b.w / 2 + x - wide * 0.43
-    b.path([(start - reach * u, 0, h * v) for u, v in ear], r * 0.13, "ceramic_2f6fd0", "handle")
+    side, reach = x - wide * 0.43, b.w / 2 + x - wide * 0.43
+    b.path([(side - reach * u, 0, h * v) for u, v in ear], r * 0.13, "ceramic_2f6fd0", "handle")
 
 
 @receptacles("plate")
