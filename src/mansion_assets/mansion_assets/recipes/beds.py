@@ -38,7 +38,7 @@ def _mattress(b: Builder, z: float, low: float, pillows: int, sheet: str, inset:
         )
 
 
-@receptacles("bed", "stretcher", "exam_table", "operating_table", "lounger")
+@receptacles("bed", "stretcher", "exam_table", "operating_table", "massage_table", "lounger")
 def _mattresses(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     tiers = int(p.get("tiers", 2 if h > 1.5 else 1))
@@ -53,8 +53,8 @@ def _mattresses(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
 def bed(b: Builder) -> None:
     """Frame, headboard, mattress, pillows; two tiers for bunks."""
     style = b.p.get("style")
-    if style in ("hospital", "exam"):
-        _medical(b, str(style))
+    if style == "hospital":
+        _hospital_bed(b)
         return
     if style == "crib":
         _crib(b)
@@ -80,36 +80,23 @@ def bed(b: Builder) -> None:
     _mattress(b, z, max(0.14, z - 0.25), pillows, b.mat(), 0.03)
 
 
-def _medical(b: Builder, style: str) -> None:
+def _hospital_bed(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     z, frame = b.tops[0].z, b.mat("frame", "metal_white")
-    if style == "hospital":
-        b.wheels(0.07, 0.1)
-        b.box((-w / 2 + 0.1, w / 2 - 0.1), (-d / 2 + 0.15, d / 2 - 0.15), (0.14, 0.2), frame, "base")
-        for y in (-d * 0.25, d * 0.25):
-            b.box((-0.08, 0.08), (y - 0.06, y + 0.06), (0.18, z - 0.2), "metal_grey", "lift")
-        b.box((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.03, d / 2 - 0.03), (z - 0.22, z - 0.15), frame, "deck")
-        b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2, -d / 2 + 0.035), (0.3, h), "wood_birch", "head")
-        b.box((-w / 2 + 0.03, w / 2 - 0.03), (d / 2 - 0.035, d / 2), (0.3, h - 0.12), "wood_birch", "foot")
-        for sx in (-1, 1):
-            x = sx * (w / 2 - 0.012)
-            for zr in (z + 0.08, z + 0.22):
-                b.rod((x, -d * 0.32, zr), (x, d * 0.2, zr), 0.012, "metal_chrome", "rails")
-            for y in (-d * 0.32, -d * 0.06, d * 0.2):
-                b.rod((x, y, z - 0.1), (x, y, z + 0.22), 0.01, "metal_chrome", "rails")
-        _mattress(b, z, z - 0.16, 1, b.mat(), 0.05)
-        return
-    b.legs((0, z - 0.12), 0.025, "metal_chrome", 0.05)
-    b.box((-w / 2 + 0.06, w / 2 - 0.06), (-d * 0.3, d * 0.35), (0.18, z - 0.2), "wood_white", "cabinet")
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - 0.14, z - 0.09), "metal_steel", "deck")
-    head = -d / 2 + d * 0.26
-    b.cushion((-w / 2, w / 2), (head, d / 2), (z - 0.1, z), b.mat(), "pad", 0.4)
-    b.prism(
-        [(-d / 2, h - 0.08), (-d / 2, h), (head, z), (head, z - 0.09)],
-        (-w / 2 + 0.01, w / 2 - 0.01),
-        b.mat(),
-        part="rest",
-    )
+    b.wheels(0.07, 0.1)
+    b.box((-w / 2 + 0.1, w / 2 - 0.1), (-d / 2 + 0.15, d / 2 - 0.15), (0.14, 0.2), frame, "base")
+    for y in (-d * 0.25, d * 0.25):
+        b.box((-0.08, 0.08), (y - 0.06, y + 0.06), (0.18, z - 0.2), "metal_grey", "lift")
+    b.box((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.03, d / 2 - 0.03), (z - 0.22, z - 0.15), frame, "deck")
+    b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2, -d / 2 + 0.035), (0.3, h), "wood_birch", "head")
+    b.box((-w / 2 + 0.03, w / 2 - 0.03), (d / 2 - 0.035, d / 2), (0.3, h - 0.12), "wood_birch", "foot")
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.012)
+        for zr in (z + 0.08, z + 0.22):
+            b.rod((x, -d * 0.32, zr), (x, d * 0.2, zr), 0.012, "metal_chrome", "rails")
+        for y in (-d * 0.32, -d * 0.06, d * 0.2):
+            b.rod((x, y, z - 0.1), (x, y, z + 0.22), 0.01, "metal_chrome", "rails")
+    _mattress(b, z, z - 0.16, 1, b.mat(), 0.05)
 
 
 def _crib(b: Builder) -> None:

@@ -188,66 +188,51 @@ def _hung_sock(b: Builder, x: float, high: float) -> None:
 
 @recipe("basket")
 def basket(b: Builder) -> None:
-    """Woven or wire basket with two handles."""
+    """A basket of woven willow with a rim of cane, an arched handle from end to end, a checked cloth over its edge."""
     w, d, h = b.w, b.d, b.h
-    count = max(3, round(h / 0.05))
-    for k in range(count):
-        z0, z1 = h * k / count, h * (k + 1) / count - 0.006 * (k < count - 1)
-        grow = 0.9 + 0.1 * k / (count - 1)
-        for sx in (-1, 1):
-            lo, hi = sorted((sx * w / 2 * grow, sx * (w / 2 * grow - 0.015)))
-            b.box((lo, hi), (-d / 2 * grow, d / 2 * grow), (z0, z1), b.mat(), "weave")
-        for sy in (-1, 1):
-            lo, hi = sorted((sy * d / 2 * grow, sy * (d / 2 * grow - 0.015)))
-            b.box((-w / 2 * grow, w / 2 * grow), (lo, hi), (z0, z1), b.mat(), "weave")
-    b.box((-w * 0.44, w * 0.44), (-d * 0.44, d * 0.44), (0, 0.01), b.mat(), "floor")
+    high, t, x, y = h * 0.58, 0.012, w / 2 - 0.012, d / 2 - 0.012
+    for side in (-1, 1):
+        across, deep = sorted((side * x, side * (x - t))), sorted((side * y, side * (y - t)))
+        b.box((across[0], across[1]), (-y, y), (0, high), "wood_8a5a2a", "walls", solid=False)
+        b.box((-x, x), (deep[0], deep[1]), (0, high), "wood_8a5a2a", "walls", solid=False)
+    b.box((-x, x), (-y, y), (0, 0.01), "wood_8a5a2a", "floor", solid=False)
+    _hollow(b, high, t, 0.94)
+    for face, half in ((DrawnFace.front(b, y), x), (DrawnFace.side(b, x), y)):
+        _willow(face, half, high)
+    for z in (0.01, high):
+        corners = [(-x, -y, z), (x, -y, z), (x, y, z), (-x, y, z), (-x, -y, z)]
+        b.path(corners, 0.011, "wood_d8a860", "rim")
+    arch = [(math.cos(k * math.pi / 14), math.sin(k * math.pi / 14) ** 0.6) for k in range(15)]
+    for y0 in (-0.008, 0.008):
+        b.path([(u * x, y0, high + v * (h - 0.011 - high)) for u, v in arch], 0.011, "wood_d8a860", "handle")
+    cloth = DrawnFace.front(b, y + 0.006)
+    u = (-w * 0.3, w * 0.12)
+    b.box((-u[1], -u[0]), (y - 0.05, y + 0.01), (high, high + 0.013), "fabric_white", "cloth", solid=False)
+    cloth.field(u, (high * 0.3, high + 0.012), "fabric_white", "cloth", 0.004)
+    for k in range(4):
+        left, low = u[0] + (u[1] - u[0]) * k / 4, high * (0.36 + 0.17 * k)
+        cloth.field((left, left + w * 0.05), (high * 0.3, high + 0.013), "fabric_d8281e", "checks", 0.0045)
+        cloth.field(u, (low, low + high * 0.08), "fabric_d8281e", "checks", 0.005)
 
 
-@receptacles("open_top")
+def _willow(face: DrawnFace, half: float, high: float) -> None:
+    """Rods that pass before and behind the uprights in turn."""
+    rows, columns = 6, 9
+    for row in range(rows):
+        v, shift = high * (row + 0.5) / rows, 0.5 * (row % 2)
+        for column in range(columns + row % 2):
+            u = [half * (2 * (column - shift + share) / columns - 1) for share in (0.12, 0.88)]
+            if u[1] > -half and u[0] < half:
+                ends = (max(u[0], -half), v), (min(u[1], half), v)
+                face.line(list(ends), high / rows * 0.4, ("wood_c8964e", "wood_dcb070")[row % 2], "weave")
+
+
+@receptacles("open_top", "fruit_stand")
 def _open_tray(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     """A tray of goods: stands, chest freezers, cradles."""
     h = size[2]
     depth = float(p.get("depth", h * 0.3))
     return [volume("tray", inset(size, 0.05), h - depth, h)]
-
-
-@recipe("open_top")
-def open_top(b: Builder) -> None:
-    """Stand open at the top: fruit, frozen food, flowers."""
-    w, d, h = b.w, b.d, b.h
-    depth, fill, main = float(b.p.get("depth", h * 0.3)), str(b.p.get("fill", "fruit")), b.mat()
-    t = 0.05
-    low = h - depth
-    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.02, d / 2 - 0.02), (0.06, low), main, "base")
-    b.box(
-        (-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.05, d / 2 - 0.05), (0, 0.06), "plastic_dark", "plinth", solid=False
-    )
-    for sx in (-1, 1):
-        lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
-        b.box((lo, hi), (-d / 2, d / 2), (low - 0.1, h), main, "rim")
-    for sy in (-1, 1):
-        lo, hi = sorted((sy * d / 2, sy * (d / 2 - t)))
-        b.box((-w / 2, w / 2), (lo, hi), (low - 0.1, h), main, "rim")
-    _tray(b, fill, low, depth)
-
-
-def _tray(b: Builder, fill: str, z: float, depth: float) -> None:
-    w, d = b.w - 0.12, b.d - 0.12
-    cols, rows = max(2, round(w / 0.32)), max(1, round(d / 0.32))
-    colors = {
-        "fruit": ("food_red", "food_green", "food_orange", "food_yellow", "food_purple"),
-        "frozen": ("paper_blue", "paper_white", "paper_red"),
-        "flowers": ("leaf_red", "leaf_yellow", "leaf_pink", "leaf_white"),
-    }.get(fill, ("food_yellow",))
-    for i in range(cols):
-        for j in range(rows):
-            x0, y0 = -w / 2 + i * w / cols, -d / 2 + j * d / rows
-            x, y = (x0 + 0.01, x0 + w / cols - 0.01), (y0 + 0.01, y0 + d / rows - 0.01)
-            color = colors[(i + 2 * j) % len(colors)]
-            if fill in ("fruit", "flowers"):
-                b.cushion(x, y, (z - 0.02, z + depth * 0.75), color, "goods", 0.95, 8, solid=False)
-            else:
-                b.box(x, y, (z, z + depth * (0.45 + 0.1 * ((i + j) % 3))), color, "goods", solid=False)
 
 
 @recipe("rubbish_sack")

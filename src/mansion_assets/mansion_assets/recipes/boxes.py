@@ -34,26 +34,6 @@ def _carton_open(b: Builder) -> None:
     b.box((-0.03, 0.03), (d / 2 - 0.021, d / 2 - 0.018), (0, low), "paper_beige", "tape", solid=False)
 
 
-def _bag(b: Builder) -> None:
-    w, d, h = b.w, b.d, b.h
-    low = h * 0.74
-    b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, low), b.mat(), "body", 0.35, 12)
-    for sy in (-1, 1):
-        y = sy * d * 0.25
-        b.path(
-            [
-                (-w * 0.22, y, low * 0.95),
-                (-w * 0.18, y, h - 0.008),
-                (w * 0.18, y, h - 0.008),
-                (w * 0.22, y, low * 0.95),
-            ],
-            0.008,
-            "leather_dark",
-            "handles",
-        )
-    b.box((-w * 0.25, w * 0.25), (d / 2 - 0.003, d / 2), (low * 0.2, low * 0.5), "fabric_dark", "pocket", solid=False)
-
-
 def _suitcase(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0.05, h - 0.08), b.mat(), "shell", 0.3, 12)
@@ -170,7 +150,6 @@ def _pad(b: Builder) -> None:
 
 
 _BLOCKS: dict[str, Recipe] = {
-    "bag": _bag,
     "carton_open": _carton_open,
     "lidbox": _lidbox,
     "suitcase": _suitcase,

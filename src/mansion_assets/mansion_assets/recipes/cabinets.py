@@ -12,7 +12,7 @@ from mansion_msgs_py.shapes import Size3
 __all__: list[str] = []
 
 
-@receptacles("cabinet", "kitchen_cabinet", "bathroom_cabinet", "media_console")
+@receptacles("cabinet", "kitchen_cabinet", "bathroom_cabinet", "media_console", "medicine_cabinet", "bedside_locker")
 def _cabinet_receptacles(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     cols, rows = int(p.get("cols", 2)), int(p.get("rows", 1))

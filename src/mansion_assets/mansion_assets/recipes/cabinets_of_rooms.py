@@ -225,3 +225,106 @@ def _console(face: DrawnFace, u: Span, v: Span) -> None:
         (u[0] + wide * 0.3, level + r * 2.2),
     ]
     face.line(cable, r * 0.09, "plastic_c9ccd0", "cables", 0.003)
+
+
+@recipe("medicine_cabinet")
+def medicine_cabinet(b: Builder) -> None:
+    """A green cross on each upper door; bottles and boxes of medicine on shelves behind the lower ones."""
+    cabinet(b)
+    face = DrawnFace.front(b, b.d / 2 - 0.006)
+    for number, (part, u, v) in enumerate(_fronts(b)):
+        with b.fixed_to(part):
+            inner, high = (u[0] + 0.03, u[1] - 0.03), (v[0] + 0.03, v[1] - 0.03)
+            face.field(inner, high, "plastic_f8fbfc" if number > 1 else "plastic_cfe0e8", "fronts", 0.001)
+            if number > 1:
+                _cross(face, (u[0] + u[1]) / 2, (v[0] + v[1]) / 2, (u[1] - u[0]) * 0.38)
+            else:
+                _medicines(face, inner, high)
+
+
+def _cross(face: DrawnFace, u: float, v: float, r: float) -> None:
+    for across, up in ((r, r / 3), (r / 3, r)):
+        face.field((u - across, u + across), (v - up, v + up), "paint_18a048", "cross", 0.003)
+
+
+def _medicines(face: DrawnFace, u: Span, v: Span) -> None:
+    """Three shelves: brown bottles with white caps, white boxes with a cross, and tubs of pills."""
+    step, wide = (v[1] - v[0]) / 3, (u[1] - u[0]) / 3
+    for row in range(3):
+        low = v[0] + row * step
+        face.field(u, (low, low + 0.014), "metal_9ba0a5", "shelves", 0.003)
+        for k in range(3):
+            left, middle = u[0] + wide * (k + 0.1), u[0] + wide * (k + 0.5)
+            right, base = left + wide * 0.8, low + 0.014
+            if (row + k) % 2:
+                color = ("plastic_d8382e", "plastic_2f6fd0")[row % 2]
+                face.field((left, right), (base, base + step * 0.6), "paper_ffffff", "boxes", 0.003)
+                face.field((left, right), (base, base + step * 0.16), color, "boxes", 0.004)
+                face.field(
+                    (middle - wide * 0.08, middle + wide * 0.08),
+                    (base + step * 0.22, base + step * 0.54),
+                    color,
+                    "boxes",
+                    0.004,
+                )
+                face.field(
+                    (middle - wide * 0.24, middle + wide * 0.24),
+                    (base + step * 0.33, base + step * 0.43),
+                    color,
+                    "boxes",
+                    0.004,
+                )
+            else:
+                face.field((left, right), (base, base + step * 0.56), "plastic_c8701e", "bottles", 0.003)
+                face.field((left, right), (base + step * 0.14, base + step * 0.4), "paper_ffffff", "labels", 0.004)
+                face.field((left, right), (base + step * 0.56, base + step * 0.76), "plastic_white", "caps", 0.004)
+
+
+@recipe("bedside_locker")
+def bedside_locker(b: Builder) -> None:
+    """A locker on castors beside a bed: its number on the drawer above, a red cross and a patient in bed below."""
+    cabinet(b)
+    face = DrawnFace.front(b, b.d / 2 - 0.006)
+    (lower, u, low), (upper, _, high) = _fronts(b)
+    middle, half, tall = (u[0] + u[1]) / 2, (u[1] - u[0]) / 2, low[1] - low[0]
+    with b.fixed_to(upper):
+        face.field(
+            (u[0] + 0.03, u[1] - 0.03), (high[0] + tall * 0.12, high[0] + tall * 0.62), "plastic_1f6fb8", "name", 0.003
+        )
+        face.write(
+            "BED 4",
+            (u[0] + 0.05, u[1] - 0.05),
+            (high[0] + tall * 0.16, high[0] + tall * 0.58),
+            "paper_ffffff",
+            "letters",
+            0.005,
+        )
+    with b.fixed_to(lower):
+        face.field((u[0] + 0.03, u[1] - 0.03), (low[0] + 0.03, low[0] + tall * 0.78), "plastic_f8fbfc", "panel", 0.002)
+        for across, up in ((half * 0.34, half * 0.11), (half * 0.11, half * 0.34)):
+            v = low[0] + tall * 0.56
+            face.field((middle - across, middle + across), (v - up, v + up), "paint_d8201e", "cross", 0.005)
+        base = low[0] + tall * 0.08
+        face.field(
+            (middle - half * 0.7, middle + half * 0.7),
+            (base + tall * 0.1, base + tall * 0.15),
+            "plastic_26272b",
+            "bed",
+            0.004,
+        )
+        for side in (-0.7, 0.64):
+            face.field(
+                (middle + half * side, middle + half * (side + 0.08)),
+                (base, base + tall * 0.26),
+                "plastic_26272b",
+                "bed",
+                0.004,
+            )
+        face.field(
+            (middle - half * 0.3, middle + half * 0.62),
+            (base + tall * 0.15, base + tall * 0.22),
+            "plastic_2f6fd0",
+            "bed",
+            0.004,
+        )
+        face.disc(middle - half * 0.45, base + tall * 0.2, tall * 0.05, "plastic_26272b", "bed", 0.004, 14)

@@ -160,31 +160,40 @@ def _leg_box(b: Builder, high: float) -> Box:
 
 @recipe("recliner")
 def recliner(b: Builder) -> None:
-    """Chair that leans back: pedestal, seat, tilted back, head rest, foot rest."""
+    """A wide stuffed armchair that leans back, its foot rest swung out in front, with a lever at its side."""
     w, d, h = b.w, b.d, b.h
-    main = b.mat()
-    cw = min(w, 0.62)
-    seat = min(0.55, h * 0.48)
-    b.cyl(0, 0, (0, 0.06), min(cw, d) * 0.42, "metal_chrome", "base", n=24)
-    b.cyl(0, 0, (0.05, seat - 0.1), 0.07, "metal_chrome", "column")
-    b.cushion((-cw / 2, cw / 2), (-d * 0.15, d * 0.28), (seat - 0.12, seat), main, "seat")
-    lean = -d / 2 + 0.03
-    b.prism(
-        [(-d * 0.17, seat - 0.05), (-d * 0.1, seat), (lean + 0.12, h - 0.02), (lean, h - 0.05)],
-        (-cw * 0.42, cw * 0.42),
-        main,
-        part="back",
-    )
-    b.cushion((-0.14, 0.14), (-d / 2, -d / 2 + 0.2), (h - 0.18, h), main, "head")
-    b.prism(
-        [(d * 0.26, seat - 0.1), (d * 0.28, seat - 0.02), (d / 2, seat * 0.45), (d / 2 - 0.06, seat * 0.4)],
-        (-cw * 0.36, cw * 0.36),
-        main,
-        part="foot",
-    )
-    for sx in (-1, 1):
-        x = sx * (cw / 2 - 0.03)
-        b.box((x - 0.03, x + 0.03), (-d * 0.12, d * 0.2), (seat + 0.14, seat + 0.18), "plastic_black", "arms")
+    main, seat, arm = b.mat(), h * 0.42, w * 0.2
+    front = d * 0.17
+    b.box((-w / 2 + arm, w / 2 - arm), (-d * 0.3, front), (0.06, seat - 0.12), main, "base")
+    b.cushion((-w / 2 + arm, w / 2 - arm), (-d * 0.26, front + 0.02), (seat - 0.16, seat), main, "seat", 0.5)
+    for side in (-1, 1):
+        span = sorted((side * w / 2, side * (w / 2 - arm)))
+        b.cushion((span[0], span[1]), (-d * 0.32, front), (0.05, seat + 0.1), main, "arms", 0.3)
+        b.cushion((span[0], span[1]), (-d * 0.3, front + 0.03), (seat + 0.05, seat + 0.19), main, "arms", 0.8)
+        for y in (-d * 0.26, front - 0.06):
+            b.cyl(side * (w / 2 - arm / 2), y, (0, 0.07), 0.035, "wood_walnut", "feet", n=10)
+    low, high = (-d * 0.2, seat - 0.06), (-d / 2 + 0.13, h - 0.08)
+    half, rolls = w / 2 - arm * 0.8, 3
+    b.prism([low, (low[0] + 0.1, seat), high, (high[0] - 0.12, high[1] - 0.04)], (-half, half), main, part="back")
+    for k in range(rolls):
+        share = (k + 0.55) / rolls
+        y, z = low[0] + 0.08 + (high[0] - low[0] - 0.08) * share, seat + (high[1] - seat) * share
+        tall = (h - seat) / rolls * 0.56
+        top = min(h, z + tall)
+        b.cushion((-half, half), (max(-d / 2, y - 0.13), y + 0.1), (z - tall, top), main, "back", 0.75, 10)
+    rest = [(front, seat - 0.14), (front, seat - 0.04), (d / 2, seat - 0.0), (d / 2, seat - 0.12)]
+    b.prism(rest, (-w / 2 + arm, w / 2 - arm), main, part="foot_rest")
+    b.cushion((-w / 2 + arm, w / 2 - arm), (front + 0.06, d / 2), (seat - 0.12, seat + 0.05), main, "foot_rest", 0.6)
+    for side in (-1, 1):
+        x = side * (w / 2 - arm - 0.05)
+        b.path(
+            [(x, front - 0.05, 0.16), (x, d * 0.32, seat - 0.24), (x, d * 0.4, seat - 0.1)],
+            0.016,
+            "metal_dark",
+            "links",
+        )
+    b.path([(w / 2 - 0.012, 0.0, seat - 0.1), (w / 2 - 0.012, d * 0.1, seat + 0.02)], 0.014, "metal_chrome", "lever")
+    b.ball((w / 2 - 0.014, d * 0.1, seat + 0.02), (0.014, 0.03, 0.03), "plastic_26272b", "lever", 8)
 
 
 @recipe("tablet_chair")

@@ -65,24 +65,21 @@ def mop_bucket(b: Builder) -> None:
 
 @recipe("scrub_brush")
 def scrub_brush(b: Builder) -> None:
-    """A brush that stands on its bristles: tufts under a broad block, and a long, upright handle."""
+    """A hand brush that stands on its end: rows of stiff bristles out of a wooden back, a waisted grip with a hole."""
     w, d, h = b.w, b.d, b.h
-    tuft, block = h * 0.16, h * 0.24
-    for i in range(6):
-        for j in range(3):
-            x, y = w * (-0.42 + 0.168 * i), d * (-0.3 + 0.3 * j)
-            b.lathe(
-                [(0.09, 0), (0.06, tuft)],
-                ("plastic_3a7bc8", "plastic_white")[(i + j) % 2],
-                (x, y),
-                "bristles",
-                7,
-                (w, d),
-            )
-    b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (tuft, block), "wood_oak", "block", 0.5)
-    b.rod((0, 0, block * 0.95), (0, 0, h), w * 0.08, "wood_oak", "handle", 12, solid=True)
-    b.cyl(0, 0, (block, block + h * 0.07), w * 0.14, b.mat(), "socket")
-    b.cyl(0, 0, (h * 0.93, h), w * 0.11, b.mat(), "grip")
+    back, front, head = -d / 2, -d * 0.16, h * 0.6
+    b.box((-w / 2, w / 2), (back, front), (h * 0.02, head), "wood_oak", "block")
+    b.rod((0, back, h * 0.03), (0, front, h * 0.03), h * 0.03, "wood_oak", "block", 16)
+    neck = [(-w / 2, head), (w / 2, head), (w * 0.2, h * 0.7), (-w * 0.2, h * 0.7)]
+    b.prism(neck, (back, front), "wood_oak", "y", "grip")
+    b.box((-w * 0.2, w * 0.2), (back, front), (h * 0.7, h * 0.86), "wood_oak", "grip")
+    b.rod((0, back, h * 0.88), (0, front, h * 0.88), h * 0.12, "wood_oak", "grip", 24)
+    b.rod((0, back, h * 0.9), (0, front + d * 0.01, h * 0.9), h * 0.03, "plastic_26272b", "hole", 16)
+    for i in range(4):
+        for j in range(9):
+            x, z = w * (-0.375 + 0.25 * i), h * (0.06 + 0.063 * j)
+            color = ("plastic_2f6fd0", "plastic_f4e8c8")[(i in (0, 3)) or j in (0, 8)]
+            b.taper((x, front, z), (x * 1.1, d / 2, z), (w * 0.07, w * 0.1), color, "bristles", 6)
 
 
 @recipe("dish_sponge")

@@ -13,7 +13,6 @@ Profile = tuple[tuple[float, float], ...]
 
 
 _PROFILES: dict[str, Profile] = {
-    "cup": ((0.38, 0), (0.5, 1), (0.46, 1), (0.35, 0.06)),
     "bottle": ((0.48, 0), (0.5, 0.03), (0.5, 0.58), (0.2, 0.76), (0.17, 0.92), (0.2, 0.93), (0.2, 1)),
     "bowl": ((0.25, 0), (0.28, 0.06), (0.44, 0.55), (0.5, 1), (0.46, 1), (0.36, 0.4), (0.2, 0.14)),
     "vase": (
@@ -87,7 +86,7 @@ _BANDS = {
 @recipe("lathe")
 def lathe(b: Builder) -> None:
     """A body of revolution by the name of its profile."""
-    name = str(b.p.get("profile", "cup"))
+    name = str(b.p["profile"])
     profile = [(r, z * b.h) for r, z in _PROFILES[name]]
     n = 28 if max(b.w, b.d) > 0.25 else 16
     b.lathe(profile, b.mat(), n=n, stretch=(b.w, b.d))

@@ -1,5 +1,7 @@
 """Cookware: pots, pans, boards, ladles, foil, and racks for drying dishes."""
 
+import math
+
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
@@ -9,7 +11,7 @@ __all__: list[str] = []
 
 @recipe("cooking_pot")
 def cooking_pot(b: Builder) -> None:
-    """A deep, open pot with an outer base, a rolled rim and two loop handles at its sides."""
+    """A deep pot with a copper base, a rolled rim, two loop handles, SOUP on its outside and some of it inside."""
     w, d, h = b.w, b.d, b.h
     along_x = w >= d
     rx, ry = stretch = (w * 0.84, d) if along_x else (w, d * 0.84)
@@ -20,6 +22,24 @@ def cooking_pot(b: Builder) -> None:
         loop = ((0.46, -0.16), (0.58, -0.13), (0.58, 0.13), (0.46, 0.16))
         line = [(side * rx * u, ry * v) if along_x else (rx * v, side * ry * u) for u, v in loop]
         b.path([(x, y, h * 0.78) for x, y in line], min(w, d) * 0.03, "plastic_black", "handles")
+    for k, letter in enumerate("SOUP"):
+        _letter_round(b, letter, math.radians(45 + 17 * (k - 1.5)), (rx * 0.475, ry * 0.475))
+    b.lathe([(0.45, h * 0.08), (0.45, h * 0.1)], "food_d8621e", n=28, stretch=stretch, part="soup", solid=False)
+    for k in range(9):
+        u, v = rx * 0.3 * math.cos(2.4 * k) * (0.4 + 0.07 * k), ry * 0.3 * math.sin(2.4 * k) * (0.4 + 0.07 * k)
+        b.cyl(
+            u, v, (h * 0.1, h * 0.115), 0.014, ("food_f5a81e", "food_4fb03a", "food_f4ead0")[k % 3], "vegetables", n=10
+        )
+
+
+def _letter_round(b: Builder, letter: str, a: float, radii: tuple[float, float]) -> None:
+    """A letter at an angle on an outside that is an ellipse of two radii."""
+    x, y = radii[0] * math.cos(a), radii[1] * math.sin(a)
+    out = (math.cos(a) * radii[1], math.sin(a) * radii[0])
+    long = math.hypot(*out)
+    face = DrawnFace(b, (x, y, 0.0), (-out[1] / long, out[0] / long, 0.0), (0.0, 0.0, 1.0))
+    half = min(radii) * 0.125
+    face.write(letter, (-half, half), (b.h * 0.2, b.h * 0.75), "plastic_b8201e", "letters", half * 0.2)
 
 
 @recipe("pan")

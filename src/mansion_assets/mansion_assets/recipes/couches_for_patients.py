@@ -215,3 +215,69 @@ def _drill_tray(b: Builder, seat: float) -> None:
             (w * 0.32, d * 0.04, z - 0.12),
         ]
         b.path(hose, 0.007, "rubber_black", "hoses")
+
+
+@recipe("massage_table")
+def massage_table(b: Builder) -> None:
+    """A padded top on folding legs with cables, a horseshoe for the face at its head, a towel and hot stones on it."""
+    w, d = b.w, b.d
+    top = b.tops[0]
+    z, head = top.z - 0.002, top.y0 - 0.1
+    low, hinge = z - 0.09, (head + d / 2) / 2
+    b.box((-w / 2, w / 2), (head, d / 2), (low - 0.06, low), "wood_c8965a", "frame")
+    b.cushion((-w / 2, w / 2), (head, hinge - 0.004), (low, z), b.mat(), "pad", 0.2)
+    b.cushion((-w / 2, w / 2), (hinge + 0.004, d / 2), (low, z), b.mat(), "pad", 0.2)
+    face = DrawnFace.top(b, z)
+    face.field((-w * 0.42, w * 0.42), (-d * 0.44, -d * 0.14), "fabric_3fb0c8", "towel", 0.0012)
+    for v in (-0.42, -0.18):
+        face.field((-w * 0.42, w * 0.42), (d * v, d * (v + 0.02)), "fabric_white", "towel", 0.0016)
+    for k in range(5):
+        face.disc(0.0, d * (-0.06 + 0.055 * k), 0.042, "stone_2f3438", "stones", 0.002, 14)
+    for y in (head + 0.08, d / 2 - 0.08):
+        for side in (-1, 1):
+            b.rod(
+                (side * (w / 2 - 0.03), y, 0), (side * (w / 2 - 0.08), y, low - 0.05), 0.024, "wood_c8965a", "legs", 8
+            )
+        b.rod((-w / 2 + 0.05, y, low * 0.4), (w / 2 - 0.05, y, low * 0.4), 0.014, "wood_c8965a", "legs", 8)
+    for side in (-1, 1):
+        x = side * (w / 2 - 0.05)
+        b.rod((x, head + 0.08, 0.06), (x, hinge, low - 0.05), 0.006, "metal_steel", "cables", 6)
+        b.rod((x, d / 2 - 0.08, 0.06), (x, hinge, low - 0.05), 0.006, "metal_steel", "cables", 6)
+    _face_rest(b, head, low)
+    b.rod(
+        (-w * 0.36, head + 0.11, z + 0.055),
+        (w * 0.36, head + 0.11, z + 0.055),
+        0.055,
+        "fabric_white",
+        "rolled_towel",
+        18,
+    )
+    for x in (-w * 0.37, w * 0.36):
+        b.rod(
+            (x, head + 0.11, z + 0.055),
+            (x + w * 0.012, head + 0.11, z + 0.055),
+            0.03,
+            "fabric_3fb0c8",
+            "rolled_towel",
+            14,
+        )
+
+
+def _face_rest(b: Builder, head: float, low: float) -> None:
+    """A padded ring, open below, on two rods, tilted up."""
+    r, middle = 0.15, (-b.d / 2 + head) / 2 + 0.01
+    rise = (b.h - low - 0.16) / 2
+    for k in range(15):
+        a = math.radians(-50 + 20 * k)
+        x, along = math.cos(a) * r, math.sin(a) * r
+        b.ball(
+            (x, middle - along * 0.86, b.h - 0.055 - rise * (1 - along / r) / 2),
+            (0.062, 0.055, 0.055),
+            b.mat(),
+            "face_rest",
+            8,
+        )
+    for x in (-0.1, 0.1):
+        b.rod(
+            (x, head + 0.02, low - 0.02), (x, middle + 0.08, b.h - 0.09 - rise * 0.7), 0.014, "metal_chrome", "rods", 8
+        )

@@ -11,7 +11,7 @@ from mansion_msgs_py.shapes import Size3
 __all__: list[str] = []
 
 
-@receptacles("counter", "bar_counter")
+@receptacles("counter", "bar_counter", "sales_counter")
 def _counter_tops(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     ledge = float(p.get("ledge", 0.0))
@@ -191,3 +191,46 @@ def _cocktail(face: DrawnFace, u: float, v: tuple[float, float]) -> None:
     face.field((u - r * 0.55, u + r * 0.55), (v[0], v[0] + tall * 0.06), "plastic_f2f6fa", "glass", 0.03)
     face.line([(u, bowl + tall * 0.2), (u + r * 0.9, v[1])], r * 0.04, "metal_brass", "stick", 0.034)
     face.disc(u + r * 0.3, bowl + tall * 0.32, r * 0.16, "plastic_6fae3a", "olive", 0.04, 12)
+
+
+@recipe("sales_counter")
+def sales_counter(b: Builder) -> None:
+    """A counter of a shop whose front says PAY HERE, with a full shopping bag and the signs of cards on it."""
+    w, d, h = b.w, b.d, b.h
+    _closed_front(b, h, 0.05)
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.045, h - 0.002), b.mat("top", "stone_grey"), "top")
+    top = DrawnFace.top(b, h - 0.002)
+    top.field((-w * 0.06, w * 0.4), (-d * 0.36, d * 0.36), "rubber_26272b", "belt", 0.001)
+    for k in range(3):
+        u = w * (0.04 + 0.14 * k)
+        top.field((u - 0.01, u + 0.01), (-d * 0.36, d * 0.36), "rubber_4a4c52", "belt", 0.0014)
+    top.field((-w * 0.42, -w * 0.18), (-d * 0.34, d * 0.34), "plastic_26272b", "till", 0.001)
+    top.field((-w * 0.4, -w * 0.2), (d * 0.08, d * 0.3), "light_58d0f0", "till", 0.0016)
+    for k in range(12):
+        u, v = w * (-0.38 + 0.055 * (k % 4)), d * (-0.26 + 0.1 * (k // 4))
+        top.field((u - w * 0.02, u + w * 0.02), (v, v + d * 0.07), "plastic_e8ecf0", "till", 0.002)
+    face = DrawnFace.front(b, d / 2 - 0.04)
+    face.field((-w * 0.46, w * 0.46), (h * 0.18, h - 0.1), "plastic_d8281e", "sign", 0.01)
+    face.write("PAY", (-w * 0.2, w * 0.42), (h * 0.56, h - 0.14), "plastic_white", "letters", 0.016)
+    face.write("HERE", (-w * 0.2, w * 0.42), (h * 0.22, h * 0.5), "plastic_white", "letters", 0.016)
+    _shopping_bag(face, -w * 0.33, h * 0.24, (w * 0.1, h * 0.36))
+
+
+def _shopping_bag(face: DrawnFace, u: float, v: float, size: tuple[float, float]) -> None:
+    """A yellow bag with two handles."""
+    half, tall = size
+    face.field((u - half, u + half), (v, v + tall), "plastic_f5d020", "bag", 0.016)
+    grip = [
+        (u - half * 0.45, v + tall),
+        (u - half * 0.3, v + tall * 1.35),
+        (u + half * 0.3, v + tall * 1.35),
+        (u + half * 0.45, v + tall),
+    ]
+    face.line(grip, half * 0.09, "plastic_f5d020", "bag", 0.008)
+    smile = [
+        (u - half * 0.5, v + tall * 0.5),
+        (u - half * 0.25, v + tall * 0.3),
+        (u + half * 0.25, v + tall * 0.3),
+        (u + half * 0.5, v + tall * 0.5),
+    ]
+    face.line(smile, half * 0.08, "plastic_d8281e", "bag", 0.016)

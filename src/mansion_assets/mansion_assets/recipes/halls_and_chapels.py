@@ -55,6 +55,43 @@ def lectern(b: Builder) -> None:
     b.box((-0.1, 0.1), (d / 2 - 0.045, d / 2 - 0.035), (h * 0.5, h * 0.7), "metal_steel", "plate", solid=False)
 
 
+@recipe("host_stand")
+def host_stand(b: Builder) -> None:
+    """A stand whose sign asks to wait to be seated, an open book of reservations and a brass lamp on its top."""
+    w, d, h = b.w, b.d, b.h
+    top, front = h * 0.83, d / 2 - 0.04
+    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.02, d / 2 - 0.02), (0, 0.05), b.mat(), "foot")
+    b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d * 0.3, front), (0.05, top - 0.04), b.mat(), "body")
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (top - 0.04, top), b.mat(), "top")
+    face = DrawnFace.front(b, front)
+    face.field((-w * 0.43, w * 0.43), (h * 0.1, top - 0.07), "metal_brass", "sign", 0.006)
+    face.field((-w * 0.4, w * 0.4), (h * 0.12, top - 0.09), "plastic_f8f2e0", "sign", 0.01)
+    lines, tall = ("PLEASE", "WAIT", "TO BE", "SEATED"), (top - 0.11 - h * 0.14) / 4
+    for k, line in enumerate(lines):
+        low = h * 0.14 + (3 - k) * tall
+        face.write(
+            line, (-w * 0.37, w * 0.37), (low + tall * 0.1, low + tall * 0.88), "plastic_26201a", "letters", 0.014
+        )
+    _reservations(b, top)
+    x, y = -w * 0.34, -d * 0.1
+    b.cyl(x, y, (top, top + 0.014), 0.06, "metal_brass", "lamp", n=18, solid=False)
+    b.rod((x, y, top), (x, y, h - 0.06), 0.012, "metal_brass", "lamp", 10)
+    b.lathe([(0.085, h - 0.09), (0.04, h)], "light_2f9e5f", (x, y), "shade", 18)
+
+
+def _reservations(b: Builder, top: float) -> None:
+    """An open book with lines of names, a ribbon and a pen."""
+    w, d = b.w, b.d
+    b.box((-w * 0.2, w * 0.45), (-d * 0.4, d * 0.4), (top, top + 0.014), "leather_8a1f1f", "book", solid=False)
+    face = DrawnFace.top(b, top + 0.014)
+    for low, high in ((-w * 0.43, -w * 0.135), (-w * 0.115, w * 0.18)):
+        face.field((low, high), (-d * 0.37, d * 0.37), "paper_white", "pages", 0.014)
+        for k in range(6):
+            v = d * (-0.3 + 0.11 * k)
+            face.field((low + 0.02, high - 0.03), (v, v + 0.012), "plastic_3a4f8a", "names", 0.016)
+    face.field((-w * 0.135, -w * 0.115), (-d * 0.46, d * 0.37), "fabric_red", "ribbon", 0.016)
+
+
 @recipe("altar")
 def altar(b: Builder) -> None:
     """A block of stone with a white cloth whose ends hang down, edged with gold, and a golden cross on its front."""

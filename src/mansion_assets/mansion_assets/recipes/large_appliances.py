@@ -105,34 +105,22 @@ def _snowflake(face: DrawnFace, middle: tuple[float, float], r: float) -> None:
 
 @recipe("display_fridge")
 def display_fridge(b: Builder) -> None:
-    """Cooler with glass doors, or open to the front, full of bottles and cartons."""
+    """Cooler with shelves behind glass doors."""
     w, d, h = b.w, b.d, b.h
     main = b.mat()
     b.hollow((-w / 2, w / 2), (-d / 2, d / 2 - 0.04), (0, h), 0.05, main)
-    cells = b.cells
-    count = len(cells) or 5
-    for k in range(count):
-        z = cells[k].z if cells else 0.25 + k * (h - 0.4) / count
-        b.box((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.05, d / 2 - 0.1), (z - 0.015, z), "metal_steel", "boards")
-        if cells:
-            continue
-        goods = max(3, int(w / 0.11))
-        for i in range(goods):
-            x = -w / 2 + 0.08 + i * (w - 0.16) / goods
-            color = ("paper_blue", "plastic_white", "paper_red", "paper_yellow", "paper_green")[(i // 3 + k) % 5]
-            b.box((x, x + 0.08), (-0.05, d / 2 - 0.14), (z, z + 0.18), color, "goods", solid=False)
-    if b.asset.openable:
-        doors = max(1, round(w / 0.7))
-        for k in range(doors):
-            x0 = -w / 2 + k * w / doors
-            x1 = x0 + w / doors
-            pane = ((x0 + 0.004, x1 - 0.004), (d / 2 - 0.038, d / 2 - 0.02), (0.1, h - 0.16))
-            with b.door(*pane):
-                b.box(*pane, "glass_clear", "door", solid=False)
-                grip = ((x1 - 0.08, x1 - 0.06), (d / 2 - 0.02, d / 2), (h * 0.4, h * 0.6))
-                b.box(*grip, "metal_steel", "handle", solid=False)
-    else:
-        b.box((-w / 2, w / 2), (d / 2 - 0.2, d / 2), (0.0, 0.25), main, "front")
+    for cell in b.cells:
+        board = (cell.z - 0.015, cell.z)
+        b.box((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.05, d / 2 - 0.1), board, "metal_steel", "boards")
+    doors = max(1, round(w / 0.7))
+    for k in range(doors):
+        x0 = -w / 2 + k * w / doors
+        x1 = x0 + w / doors
+        pane = ((x0 + 0.004, x1 - 0.004), (d / 2 - 0.038, d / 2 - 0.02), (0.1, h - 0.16))
+        with b.door(*pane):
+            b.box(*pane, "glass_clear", "door", solid=False)
+            grip = ((x1 - 0.08, x1 - 0.06), (d / 2 - 0.02, d / 2), (h * 0.4, h * 0.6))
+            b.box(*grip, "metal_steel", "handle", solid=False)
     b.box((-w / 2, w / 2), (d / 2 - 0.05, d / 2 - 0.03), (h - 0.15, h), "light_white", "sign", solid=False)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
+from mansion_assets.solids import Vec3
 
 __all__: list[str] = []
 
@@ -51,6 +52,44 @@ def backpack(b: Builder) -> None:
         "fabric_dark",
         "loop",
     )
+
+
+@recipe("handbag")
+def handbag(b: Builder) -> None:
+    """A lady's bag, narrow above, with a flap, a golden clasp, an arched handle on rings, and a silk scarf."""
+    w, d, h = b.w, b.d, b.h
+    main, high = b.mat(), h * 0.58
+    trim = "leather_4a4a52" if main == "leather_black" else "leather_3a1a12"
+    body = [(-w * 0.5, h * 0.03), (w * 0.5, h * 0.03), (w * 0.38, high), (-w * 0.38, high)]
+    b.prism(body, (-d * 0.42, d * 0.42), main, "y", "body")
+    base = [(-w * 0.5, 0), (w * 0.5, 0), (w * 0.49, h * 0.07), (-w * 0.49, h * 0.07)]
+    b.prism(base, (-d * 0.44, d * 0.44), trim, "y", "base")
+    edge = [
+        (w * u, h * v) for u, v in ((-0.4, 0.58), (-0.36, 0.36), (-0.12, 0.24), (0.12, 0.24), (0.36, 0.36), (0.4, 0.58))
+    ]
+    b.prism(edge, (d * 0.42, d * 0.47), trim, "y", "flap")
+    b.box((-w * 0.4, w * 0.4), (-d * 0.42, d * 0.47), (high, high + h * 0.025), trim, "flap")
+    face = DrawnFace.front(b, d * 0.47)
+    face.line(edge, w * 0.008, "metal_brass", "seams", 0.0)
+    face.field((-w * 0.09, w * 0.09), (h * 0.22, h * 0.36), "metal_f2c94a", "clasp", d * 0.015)
+    face.disc(0.0, h * 0.29, w * 0.04, "metal_brass", "clasp", d * 0.03, 16)
+    turns = [k * math.pi / 12 for k in range(13)]
+    arch = [(math.cos(a) * w * 0.25, 0.0, high + math.sin(a) * (h * 0.975 - high)) for a in turns]
+    b.path(arch, h * 0.025, trim, "handle")
+    for x in (-w * 0.25, w * 0.25):
+        z = high + h * 0.03
+        b.rod((x, -d * 0.1, z), (x, d * 0.1, z), h * 0.045, "metal_f2c94a", "rings", 16)
+    _scarf(b, (w * 0.2, d * 0.1, h * 0.74))
+
+
+def _scarf(b: Builder, knot: Vec3) -> None:
+    """A knot of silk at the handle, and its two ends before the bag."""
+    w, d, h = b.w, b.d, b.h
+    b.ball(knot, (w * 0.05, d * 0.1, h * 0.05), "fabric_e8386a", "scarf", 10)
+    for x, z in ((0.4, 0.46), (0.22, 0.4)):
+        upper = [(knot[0] - w * 0.02, knot[2]), (knot[0] + w * 0.03, knot[2])]
+        lower = [(w * (x + 0.06), h * z), (w * (x - 0.06), h * (z - 0.02))]
+        b.prism(upper + lower, (d * 0.474, d * 0.5), "fabric_e8386a", "y", "scarf", solid=False)
 
 
 @recipe("paper_bag")

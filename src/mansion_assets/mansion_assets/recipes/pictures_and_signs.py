@@ -1,5 +1,6 @@
 """Pictures, mirrors, boards and signs, on walls and on stands."""
 
+import math
 import zlib
 
 from mansion_assets.builder import Builder
@@ -103,7 +104,7 @@ def _leaning_face(b: Builder, lean: float) -> None:
     w, d, h = b.w, b.d, b.h
     face = str(b.p.get("face", "paper_white"))
     rim = _rim(b)
-    low = h * (0.38 if h > 1.0 and face != "glass_mirror" else 0.06)
+    low = h * (0.38 if h > 1.0 else 0.06)
     s0, s1 = d / 2 - lean * low / h, d / 2 - lean * 0.97
     b.prism(
         [(s0, low), (s0 + 0.006, low), (s1 + 0.006, h * 0.97), (s1, h * 0.97)],
@@ -160,6 +161,33 @@ def _notes(b: Builder, y1: float) -> None:
             "notes",
             solid=False,
         )
+
+
+@recipe("floor_mirror")
+def floor_mirror(b: Builder) -> None:
+    """A tall oval mirror that swings between two posts with knobs, on broad feet, with slanted light on the glass."""
+    w, d, h = b.w, b.d, b.h
+    post, middle, rx, rz = w / 2 - 0.025, h * 0.54, w * 0.38, h * 0.46
+    ring = [(math.cos(k * math.tau / 32), math.sin(k * math.tau / 32)) for k in range(32)]
+    for share, y, color, part in (
+        (1.0, (-0.03, 0.012), b.mat(), "frame"),
+        (0.86, (0.012, 0.016), "plastic_b4d8ee", "mirror"),
+    ):
+        thick = rx * (1 - share)
+        b.prism([(u * (rx - thick), middle + v * (rz - thick)) for u, v in ring], y, color, "y", part)
+    for low, wide in ((-0.46, 0.2), (-0.1, 0.08)):
+        u = rx * low
+        band = [(u, middle - rz * 0.5), (u + rx * wide, middle - rz * 0.5)]
+        band += [(u + rx * (wide + 0.5), middle + rz * 0.5), (u + rx * 0.5, middle + rz * 0.5)]
+        b.prism([(-x, z) for x, z in reversed(band)], (0.016, 0.018), "plastic_f8fdff", "y", "gleam", solid=False)
+    for side in (-1, 1):
+        x = side * post
+        b.rod((x, 0, 0.06), (x, 0, h * 0.78), 0.022, b.mat(), "posts", 12, solid=True)
+        b.ball((x, 0, h * 0.8), (0.025, 0.025, 0.035), b.mat(), "knobs", 10)
+        b.rod((side * rx * 0.95, -0.01, middle), (side * w / 2, -0.01, middle), 0.018, "metal_brass", "pivots", 12)
+        for end in (-1, 1):
+            b.rod((x, 0, 0.14), (x, end * (d / 2 - 0.025), 0.025), 0.025, b.mat(), "feet", 10)
+    b.rod((-post, 0, 0.12), (post, 0, 0.12), 0.018, b.mat(), "rail", 10)
 
 
 @recipe("sign")

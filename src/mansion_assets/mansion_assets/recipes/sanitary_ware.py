@@ -9,7 +9,7 @@ from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
 
-__all__: list[str] = []
+__all__ = ["shallow_bowl", "sink"]
 
 
 @receptacles("toilet")
@@ -137,7 +137,7 @@ def _tap(b: Builder, x: float, z: float, y: float, high: float) -> None:
     )
 
 
-@receptacles("sink", "sink_row")
+@receptacles("sink", "sink_row", "scrub_sink", "dishwashing_station")
 def _sink_receptacles(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     rim = h - float(p.get("splash", 0.0))
@@ -192,14 +192,6 @@ def sink(b: Builder) -> None:
     if splash > 0.05:
         xs = (bowl.x0 + bowl.x1) / 2
         _tap(b, xs, rim, -d / 2 + 0.06, splash)
-        if b.p.get("bowls") == 2:
-            b.rod(
-                (-w * 0.3, -d / 2 + 0.06, rim),
-                (-w * 0.3, -d / 2 + 0.06, rim + splash * 0.7),
-                0.012,
-                "metal_chrome",
-                "tap",
-            )
     elif rim <= 0.5:
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.004), top, "rim", solid=False)
 
@@ -263,7 +255,7 @@ def sink_row(b: Builder) -> None:
         wall.line([(u, rim + splash * 0.25), (u + splash * 0.5, h - 0.016)], 0.007, "plastic_f6fcff", "gleam", -0.001)
     _white_lining(b, rim)
     second = -w * 0.3
-    _shallow_bowl(b, second, rim)
+    shallow_bowl(b, second, rim)
     y = back + 0.021
     for soap in (bowl.x0, bowl.x1 - 0.07):
         b.cyl(soap, y, (rim, rim + splash * 0.5), 0.02, "plastic_f08fb0", "soap", n=12, solid=False)
@@ -300,7 +292,7 @@ def _white_lining(b: Builder, rim: float) -> None:
     b.box((bowl.x0, bowl.x1), (bowl.y0, bowl.y1), (bowl.z, bowl.z + 0.003), "ceramic_white", "basin", solid=False)
 
 
-def _shallow_bowl(b: Builder, x: float, rim: float) -> None:
+def shallow_bowl(b: Builder, x: float, rim: float) -> None:
     """The second bowl, so flat that things stand on it: a white edge about a shaded floor with a drain."""
     face, bowl = DrawnFace.top(b, rim), b.cells[0]
     y, deep = (bowl.y0 + bowl.y1) / 2, (bowl.y1 - bowl.y0) / 2 + 0.03
@@ -357,19 +349,57 @@ def _tub_inside(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
 
 @recipe("bathtub")
 def bathtub(b: Builder) -> None:
-    """Tub with a rim, open at the top, and a tap at its end."""
+    """A white tub with round ends and a rolled rim on golden feet, water in it, a mixer at one end, a towel over it."""
     w, d, h = b.w, b.d, b.h
-    t, floor, main = 0.08, h * 0.25, b.mat()
-    z1 = h - 0.0
-    for sx in (-1, 1):
-        lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
-        b.box((lo, hi), (-d / 2, d / 2), (0, z1), main, "sides")
-    for sy in (-1, 1):
-        lo, hi = sorted((sy * d / 2, sy * (d / 2 - t)))
-        b.box((-w / 2 + t, w / 2 - t), (lo, hi), (0, z1), main, "sides")
-    b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, d / 2 - t), (0, floor), main, "floor")
-    b.rod((w / 2 - 0.14, 0, z1 - 0.06), (w / 2 - 0.08, 0, z1 - 0.06), 0.02, "metal_chrome", "tap")
-    b.cyl(w / 2 - 0.3, 0, (floor, floor + 0.005), 0.03, "metal_chrome", "drain", solid=False)
+    rim, low, floor, main = h * 0.82, h * 0.17, b.cells[0].z, b.mat()
+    outer, inner = _round_ends(w / 2 - 0.01, d / 2 - 0.01, 0.21), _round_ends(w / 2 - 0.055, d / 2 - 0.055, 0.165)
+    lip = _round_ends(w / 2, d / 2, 0.22)
+    b.prism(_round_ends(w / 2 - 0.012, d / 2 - 0.012, 0.208), (low, floor), main, "z", "floor")
+    for k in range(len(outer)):
+        following = (k + 1) % len(outer)
+        for edge, z in ((outer, (low, rim - 0.03)), (lip, (rim - 0.03, rim))):
+            corners = [edge[k], edge[following], inner[following], inner[k]]
+            b.prism(corners, z, main, "z", "sides", solid=edge is outer and k % 6 == 5)
+    b.prism(inner, (floor, floor + 0.003), "plastic_7fd0f0", "z", "water", solid=False)
+    for x, y in ((-0.4, -0.42), (0.4, -0.42), (-0.4, 0.42), (0.4, 0.42)):
+        b.ball((x * w, y * d, low * 0.4), (0.055, 0.055, low * 0.4), "metal_f2c94a", "feet", 10)
+        b.taper((x * w, y * d, low * 0.5), (x * w, y * d, low * 1.1), (0.035, 0.07), "metal_f2c94a", "feet")
+    _bath_mixer(b, rim)
+    side = DrawnFace.front(b, d / 2)
+    b.box(
+        (-w * 0.02, w * 0.2), (d / 2 - 0.06, d / 2 + 0.002), (rim, rim + 0.006), "fabric_3f8fd8", "towel", solid=False
+    )
+    side.field((-w * 0.2, w * 0.02), (h * 0.4, rim + 0.004), "fabric_3f8fd8", "towel", 0.004)
+    for v in (0.46, 0.54):
+        side.field((-w * 0.2, w * 0.02), (h * v, h * (v + 0.04)), "fabric_white", "towel", 0.005)
+
+
+def _round_ends(x: float, y: float, r: float) -> list[tuple[float, float]]:
+    """Return an outline whose corners are rounded by `r`."""
+    points = []
+    for k, (sx, sy) in enumerate(((1, 1), (-1, 1), (-1, -1), (1, -1))):
+        for step in range(6):
+            a = (k + step / 5) * math.pi / 2
+            points.append((sx * (x - r) + math.cos(a) * r, sy * (y - r) + math.sin(a) * r))
+    return points
+
+
+def _bath_mixer(b: Builder, rim: float) -> None:
+    """A spout over the far end, taps marked red and blue, and a chain with its plug on the overflow below."""
+    x, floor = -b.w / 2 + 0.03, b.cells[0].z
+    b.path(
+        [(x, 0, rim), (x, 0, b.h - 0.02), (x + 0.13, 0, b.h - 0.02), (x + 0.13, 0, rim - 0.03)],
+        0.02,
+        "metal_chrome",
+        "tap",
+    )
+    for side, color in ((-1, "plastic_d8281e"), (1, "plastic_2f6fe0")):
+        b.cyl(x, side * 0.11, (rim, b.h - 0.02), 0.022, "metal_chrome", "taps", n=12, solid=False)
+        b.cyl(x, side * 0.11, (b.h - 0.02, b.h), 0.04, color, "taps", n=14, solid=False)
+    wall = DrawnFace.side(b, -b.w / 2 + 0.055)
+    wall.disc(0.0, rim - 0.1, 0.035, "metal_chrome", "overflow", 0.006, 16)
+    wall.line([(0.0, rim - 0.12), (0.04, floor + 0.06)], 0.005, "metal_steel", "chain", 0.01)
+    b.cyl(-b.w / 2 + 0.25, 0, (floor, floor + 0.008), 0.04, "plastic_26272b", "drain", n=16, solid=False)
 
 
 @recipe("shower")

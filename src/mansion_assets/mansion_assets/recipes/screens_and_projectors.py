@@ -181,3 +181,38 @@ def ceiling_projector(b: Builder) -> None:
             8,
         )
     face.disc(-w * 0.42, high * 0.84, 0.008, "light_green", "lamp", 0.004)
+
+
+@recipe("cinema_screen")
+def cinema_screen(b: Builder) -> None:
+    """A screen in a black frame between red curtains below a pelmet, with the numbered leader of a film on it."""
+    w, d, h = b.w, b.d, b.h
+    back, pelmet = -d / 2, h * 0.86
+    b.box((-w / 2, w / 2), (back, back + 0.02), (0, h), "plastic_17181b", "frame")
+    face = DrawnFace.front(b, back + 0.02)
+    half, v = w * 0.35, (h * 0.07, pelmet)
+    face.field((-half, half), v, "screen_d8d4c8", "screen", 0.006)
+    middle = (h * 0.07 + pelmet) / 2
+    face.line([(-half, middle), (half, middle)], h * 0.006, "plastic_3a3a3a", "leader", 0.006)
+    face.line([(0.0, v[0]), (0.0, v[1])], h * 0.006, "plastic_3a3a3a", "leader", 0.006)
+    for r, color in ((0.37, "3a3a3a"), (0.35, "d8d4c8"), (0.31, "3a3a3a"), (0.29, "d8d4c8")):
+        face.disc(0.0, middle, h * r, f"screen_{color}", "leader", 0.008 + 0.02 * (0.4 - r), 36)
+    face.write("3", (-h * 0.2, h * 0.2), (middle - h * 0.2, middle + h * 0.2), "plastic_17181b", "number", 0.016)
+    for side in (-1, 1):
+        for k in range(6):
+            x = side * (w / 2 - w * 0.026 * (k + 0.5))
+            b.cyl(x, d * 0.06, (0, pelmet), w * 0.017, ("fabric_b0141e", "fabric_8a0f18")[k % 2], "curtains", n=10)
+        tie = sorted((side * w / 2, side * w * 0.345))
+        b.box((tie[0], tie[1]), (0, d / 2), (h * 0.36, h * 0.4), "metal_brass", "ties", solid=False)
+    swags = 7
+    for k in range(swags):
+        x = -w / 2 + w * (k + 0.5) / swags
+        swag = [
+            (x - w / swags / 2, h),
+            (x - w / swags / 2, h * 0.9),
+            (x, h * 0.8),
+            (x + w / swags / 2, h * 0.9),
+            (x + w / swags / 2, h),
+        ]
+        b.prism(swag, (d * 0.3, d * 0.5), ("fabric_c01822", "fabric_a0121c")[k % 2], "y", "pelmet", solid=False)
+    b.box((-w / 2, w / 2), (back, d / 2), (h * 0.975, h), "metal_brass", "rail")

@@ -4,6 +4,7 @@ from typing import Any
 
 from mansion_assets.builder import Builder, Rect
 from mansion_assets.catalogue.receptacles import BOARD, Receptacle, inset, surface
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
 from mansion_assets.shelf_goods import goods
 from mansion_msgs_py.shapes import Size3
@@ -11,7 +12,7 @@ from mansion_msgs_py.shapes import Size3
 __all__: list[str] = []
 
 
-@receptacles("shelf")
+@receptacles("shelf", "mail_shelf")
 def _free_boards(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     heights = _board_heights(size, p)
@@ -76,6 +77,21 @@ def shelf(b: Builder) -> None:
             continue
         for y0, y1 in sides:
             goods(b, fill, Rect(-w / 2 + 0.03, w / 2 - 0.03, y0, y1, z, z + gap), y1 - y0, level)
+
+
+@recipe("mail_shelf")
+def mail_shelf(b: Builder) -> None:
+    """Pigeonholes with letters between blue sides, each with MAIL along it and a sealed envelope."""
+    shelf(b)
+    h, half = b.h, b.d * 0.4
+    side = DrawnFace.side(b, b.w / 2)
+    side.field((-b.d * 0.47, b.d * 0.47), (h * 0.03, h * 0.97), "plastic_1f5fb8", "sides", 0.001)
+    low, high = h * 0.72, h * 0.72 + half * 1.3
+    side.field((-half, half), (low, high), "paper_white", "envelope", 0.002)
+    side.line([(-half, high), (0.0, low + half * 0.5), (half, high)], 0.009, "plastic_1f5fb8", "envelope", -0.006)
+    side.disc(0.0, low + half * 0.5, half * 0.2, "paint_d8281e", "envelope", 0.003, 14)
+    upwards = DrawnFace(b, (b.w / 2, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.0, 0.0))
+    upwards.write("MAIL", (h * 0.06, h * 0.68), (-half, half), "paper_white", "title", 0.002)
 
 
 @receptacles("wall_shelf")

@@ -9,7 +9,7 @@ from mansion_assets.catalogue.receptacles import Receptacle, inset, surface
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
 
-__all__ = ["end_panels", "four_legs", "sled_frames", "table_top"]
+__all__ = ["end_panels", "four_legs", "sled_frames", "table_top", "tee_frames"]
 
 
 def _supports(b: Builder, style: str, z: float, frame: str) -> None:
@@ -41,19 +41,20 @@ def end_panels(b: Builder, z: float, frame: str) -> None:
     b.box((-w / 2 + 0.08, w / 2 - 0.08), (-d / 2 + 0.12, -d / 2 + 0.14), (z * 0.35, z), frame, "modesty")
 
 
-def _end_frame(b: Builder, side: int, z: float, frame: str, posts: tuple[float, ...]) -> None:
-    """A bar on the floor, posts at the `posts` (y) and a bar below the top, at one end."""
+def _end_frame(b: Builder, side: int, z: float, frame: str, posts: tuple[float, ...], low: float = 0.0) -> None:
+    """A bar on the floor or at a height above it, posts at the `posts` (y) and a bar below the top, at one end."""
     reach = (-b.d / 2 + 0.03, b.d / 2 - 0.03)
     x = side * (b.w / 2 - 0.08)
-    b.box((x - 0.03, x + 0.03), reach, (0, 0.03), frame, "legs")
+    b.box((x - 0.03, x + 0.03), reach, (low, low + 0.03), frame, "legs")
     b.box((x - 0.03, x + 0.03), reach, (z - 0.03, z), frame, "legs")
     for y in posts:
-        b.box((x - 0.03, x + 0.03), (y - 0.03, y + 0.03), (0.02, z - 0.02), frame, "legs")
+        b.box((x - 0.03, x + 0.03), (y - 0.03, y + 0.03), (low + 0.02, z - 0.02), frame, "legs")
 
 
-def _tee(b: Builder, z: float, frame: str) -> None:
+def tee_frames(b: Builder, z: float, frame: str, low: float = 0.0) -> None:
+    """A post in the middle of each end, on a bar at the height `low`."""
     for side in (-1, 1):
-        _end_frame(b, side, z, frame, (0.0,))
+        _end_frame(b, side, z, frame, (0.0,), low)
 
 
 def sled_frames(b: Builder, z: float, frame: str) -> None:
@@ -99,7 +100,7 @@ def four_legs(b: Builder, z: float, frame: str) -> None:
 _SUPPORTS: dict[str, Callable[[Builder, float, str], None]] = {
     "pedestal": _pedestal,
     "panel": end_panels,
-    "tee": _tee,
+    "tee": tee_frames,
     "sled": sled_frames,
     "cee": _cee,
     "trestle": _trestles,
@@ -115,7 +116,17 @@ def table_top(b: Builder, z: float, thick: float, *, round_: bool) -> None:
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - thick, z), b.mat(), "top")
 
 
-@receptacles("table", "conference_table", "evidence_table", "kids_table", "coffee_table")
+@receptacles(
+    "table",
+    "conference_table",
+    "evidence_table",
+    "kids_table",
+    "coffee_table",
+    "dining_table",
+    "cafeteria_table",
+    "training_table",
+    "patio_table",
+)
 def _table_top(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     return [surface("top", inset(size, 0.02), size[2], 1.2, round_=p.get("shape") == "round")]
 
@@ -150,7 +161,7 @@ def _drawers(b: Builder, x: tuple[float, float], z: float) -> None:
             b.box(*grip, "metal_steel", "handles", solid=False)
 
 
-@receptacles("desk", "office_desk")
+@receptacles("desk", "office_desk", "student_desk")
 def _desk_tops(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     if h <= 0.95:

@@ -27,6 +27,28 @@ def mug(b: Builder) -> None:
     )
 
 
+@recipe("drinking_cup")
+def drinking_cup(b: Builder) -> None:
+    """A cup that widens to its rim, with coloured bands and an ear to hold it by."""
+    h, r = b.h, b.d / 2
+    x, wide = b.w / 2 - b.w * 0.39, b.w * 0.78
+    profile = [(0.36, 0), (0.38, h * 0.04), (0.5, h), (0.46, h), (0.34, h * 0.06)]
+    b.lathe(profile, b.mat(), (x, 0), n=24, stretch=(wide, b.d * 0.99))
+    turns = [(math.cos(k * math.tau / 18), math.sin(k * math.tau / 18)) for k in range(19)]
+    steps = 6
+    for k in range(steps):
+        low, high = h * (0.02 + 0.158 * k), h * (0.178 + 0.158 * k)
+        inner, outer = (size * (0.38 + 0.12 * high / h) for size in (0.99, 1.03))
+        color = ("ceramic_f58a1e", "ceramic_2f6fd0")[0 < k < steps - 1]
+        for start, end in itertools.pairwise(turns):
+            corners = ((start, outer), (end, outer), (end, inner), (start, inner))
+            panel = [(x + u * size * wide, v * size * b.d * 0.99) for (u, v), size in corners]
+            b.prism(panel, (low, high), color, "z", "bands", solid=False)
+    ear = [(-0.1, 0.76), (0.5, 0.82), (0.93, 0.7), (0.93, 0.46), (0.6, 0.3), (-0.1, 0.26)]
+    side, reach = x - wide * 0.43, b.w / 2 + x - wide * 0.43
+    b.path([(side - reach * u, 0, h * v) for u, v in ear], r * 0.13, "ceramic_2f6fd0", "handle")
+
+
 @receptacles("plate")
 def _plate_face(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size

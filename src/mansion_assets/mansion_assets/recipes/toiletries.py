@@ -66,26 +66,29 @@ def hand_gel(b: Builder) -> None:
 
 @recipe("toothpaste")
 def toothpaste(b: Builder) -> None:
-    """A tube: flat and crimped at one end, round at the shoulder, with a striped front and a ribbed cap."""
+    """A tube, flat and crimped at one end, with TOOTHPASTE between bands of red and blue, and a ribbed cap."""
     w, d, h = b.w, b.d, b.h
-    z, shoulder = h / 2, w * 0.26
-    steps = 6
-    for k in range(steps):
-        x0 = -w * 0.44 + k * (shoulder + w * 0.44) / steps
-        x1 = x0 + (shoulder + w * 0.44) / steps
-        thick0, thick1 = (h * (0.06 + 0.4 * (j / steps) ** 0.6) for j in (k, k + 1))
-        color = ("plastic_white", "plastic_white", "plastic_red", "plastic_white", "plastic_3a7bc8", "plastic_3a7bc8")[
-            k
-        ]
-        outline = [(x0, z - thick0), (x1, z - thick1), (x1, z + thick1), (x0, z + thick0)]
-        b.prism(outline, (-d / 2 + d * 0.02 * k, d / 2 - d * 0.02 * k), color, "y", "tube")
-    b.box((-w / 2, -w * 0.43), (-d / 2, d / 2), (z - h * 0.07, z + h * 0.07), "plastic_light", "crimp")
-    b.rod((shoulder, 0, z), (w * 0.33, 0, z), h * 0.3, "plastic_white", "shoulder", 16)
-    b.rod((w * 0.33, 0, z), (w / 2, 0, z), h / 2, "plastic_white", "cap", 16, solid=True)
+    z, shoulder, end = h / 2, w * 0.3, -w * 0.44
+    outline = [(end, z - h * 0.06), (shoulder, z - h * 0.46), (shoulder, z + h * 0.46), (end, z + h * 0.06)]
+    b.prism(outline, (-d / 2, d / 2), "plastic_white", "y", "tube")
+    long = math.hypot(shoulder - end, h * 0.4)
+    along = (-(shoulder - end) / long, 0.0, -h * 0.4 / long)
+    face = DrawnFace(b, (shoulder, 0.0, z + h * 0.46), along, (0.0, -1.0, 0.0))
+    face.field((0.0, long), (-d * 0.5, -d * 0.3), "plastic_d8281e", "bands", h * 0.02)
+    face.field((0.0, long), (d * 0.3, d * 0.5), "plastic_2f6fd0", "bands", h * 0.02)
+    face.write("TOOTHPASTE", (long * 0.02, long * 0.98), (-d * 0.26, d * 0.26), "plastic_1f3f9e", "letters", h * 0.03)
+    side = DrawnFace.front(b, d / 2 - d * 0.01)
+    side.field((-shoulder, -shoulder + w * 0.04), (z - h * 0.44, z + h * 0.44), "plastic_2f6fd0", "bands", d * 0.012)
+    b.box((-w / 2, end + w * 0.01), (-d / 2, d / 2), (z - h * 0.07, z + h * 0.07), "plastic_b8bec4", "crimp")
+    for k in range(7):
+        y = d * (-0.42 + 0.14 * k)
+        b.box((-w / 2, end), (y - d * 0.02, y + d * 0.02), (z, z + h * 0.09), "plastic_8a9096", "crimp", solid=False)
+    b.rod((shoulder, 0, z), (w * 0.36, 0, z), h * 0.3, "plastic_white", "shoulder", 16)
+    b.rod((w * 0.36, 0, z), (w / 2, 0, z), h / 2, "plastic_2f6fd0", "cap", 16, solid=True)
     for k in range(10):
         a = k * math.pi / 5
         y, up = h * 0.49 * math.cos(a), z + h * 0.49 * math.sin(a)
-        b.rod((w * 0.35, y, up), (w * 0.49, y, up), h * 0.04, "plastic_grey", "ribs", 4)
+        b.rod((w * 0.37, y, up), (w * 0.49, y, up), h * 0.04, "plastic_white", "ribs", 4)
 
 
 @recipe("toothbrush_cup")
