@@ -138,3 +138,31 @@ def test_a_flat_on_some_storey_is_a_flat_and_no_building_around_it(brief: str) -
 @pytest.mark.parametrize("brief", ["a flat of 55 m2 with a separate toilet", "a flat of 40 m2 with a pantry"])
 def test_a_small_flat_has_a_place_to_sleep(brief: str) -> None:
     assert "bedroom" in {room.room_type for room in rooms(brief)}
+
+
+def test_rooms_are_numbered_in_words_as_in_digits() -> None:
+    facts = read_brief("Bungalow: bedroom one 16 m2, bedroom two 12 m2, bathroom 7 m2", default_knowledge())
+    assert [(room.name, room.area) for room in facts.rooms] == [
+        ("bedroom_1", 16.0),
+        ("bedroom_2", 12.0),
+        ("bathroom", 7.0),
+    ]
+
+
+def test_bathrooms_that_are_counted_after_several_bedrooms_are_for_all() -> None:
+    together = read_brief("Upstairs five bedrooms of 9 m2 each, with two bathrooms", default_knowledge())
+    each = read_brief("Five suites each with two bathrooms", default_knowledge())
+    assert [(room.name, room.count) for room in together.rooms] == [("bedroom", 5), ("bathroom", 2)]
+    assert [(room.name, room.count) for room in each.rooms[0].suite] == [("bathroom", 2)]
+
+
+def test_a_total_that_is_too_small_for_several_rooms_is_of_each() -> None:
+    facts = read_brief("A music school with twelve practice rooms of 10 m2 in total", default_knowledge())
+    assert (facts.rooms[0].count, facts.rooms[0].area, facts.area) == (12, 10.0, [])
+
+
+def test_a_room_beside_a_two_car_garage_is_quoted_in_the_order_of_the_text() -> None:
+    text = "A house with a mudroom next to the two-car garage"
+    program = plan_building(BuildRequest(description=text)).program
+    assert all(wish.span[0] <= wish.span[1] for wish in program.wishes)
+    assert "double_garage" in {room.room_type for floor in program.floors for room in floor.rooms}

@@ -26,7 +26,7 @@ from mansion_planner.brief.masters_bathroom import masters_bathroom
 from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.recalled_wishes import without_recalled_wishes
 from mansion_planner.brief.relative_areas import relative_areas
-from mansion_planner.brief.rooms_by_number import rooms_by_number
+from mansion_planner.brief.rooms_by_number import in_digits, rooms_by_number
 from mansion_planner.brief.rooms_by_person import rooms_by_person
 from mansion_planner.brief.rooms_by_sex import rooms_by_sex
 from mansion_planner.brief.seated_people import seated_people
@@ -242,7 +242,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
         paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS))))
     )
     tokens = storey_tables(abbreviated_storeys(text, decades(equal_rooms(tokens, FLOOR_WORDS))), FLOOR_WORDS)
-    tokens = rooms_by_number(added_storeys(tokens, FLOOR_WORDS))
+    tokens = rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS))
     tokens = unit_totals(storeys_in_order(tokens, FLOOR_WORDS), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)

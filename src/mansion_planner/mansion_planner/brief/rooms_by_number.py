@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from mansion_language import Token
 
-__all__ = ["rooms_by_number"]
+__all__ = ["in_digits", "rooms_by_number"]
 
 _HOLDING = frozenset({"with", "for", "of", "seating", "holding", "("})
 _HELD = frozenset(
@@ -22,6 +22,22 @@ _KEPT = frozenset(
 )
 _FEWEST = 2
 _MOST = 8
+
+
+_NUMBERED = frozenset("bedroom bathroom room office classroom studio lab ward hall flat apartment shop".split())
+"""Rooms that are told apart by numbers in words: "bedroom one"."""
+
+
+def in_digits(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with the numbers of rooms in digits: "bedroom one 16 m2" is bedroom 1."""
+    result = list(tokens)
+    for index, token in enumerate(tokens[1:], 1):
+        before, after = tokens[index - 1], tokens[index + 1 : index + 2]
+        named = before.text in _NUMBERED and not before.plural and token.kind == "number" and token.text.isalpha()
+        ends = not after or after[0].kind == "number" or after[0].text in (",", ":", "(", "-", "of", ".", "and")
+        if named and ends and token.value == int(token.value) and not token.soft:
+            result[index] = replace(token, text=str(int(token.value)))
+    return result
 
 
 def rooms_by_number(tokens: list[Token]) -> list[Token]:

@@ -214,12 +214,21 @@ class _Pair:
         after = self.reading.words(self.phrase.last, self.phrase.last + 2)
         if after[:1] in (("in",), ("between",)) and not {"between", "them"}.isdisjoint(after):
             return False  # "two laboratories with a preparation room in between"
+        if self._is_for_all():
+            return False
         both = self.phrase.determiner in ("both", "all", "each") and self.phrase.room_type == "ensuite_bathroom"
         postposed = not self.words and self.phrase.room_type == "ensuite_bathroom"  # "three bedrooms en suite"
         private = self.phrase.room_type in PRIVATE and self.owner.room_type in SLEEPING
         if private and self._is_bracketed() and self.is_several():
             return True  # "ten patient rooms (two beds each, ensuite bathroom)"
         return self._is_shared_out() or both or postposed or self._is_own() or self._is_private() or self._are_ensuite()
+
+    def _is_for_all(self) -> bool:
+        """Whether several rooms are named after several owners, and not of each: "five bedrooms with two bathrooms"."""
+        many = self.phrase.counted and (self.phrase.count or 0) > 1 and self.owner.plural
+        near = self.reading.words(self.phrase.first - 2, self.phrase.first)
+        each = {"each", "every", "all", "both"} & {*near, self.reading.word(self.phrase.last), self.owner.determiner}
+        return many and self.phrase.room_type in ("bathroom", "toilet", "restroom") and not each
 
     def _is_only_beside(self) -> bool:
         """Whether a room that is shared is named after others which share it: "four bedrooms with a shared bath"."""

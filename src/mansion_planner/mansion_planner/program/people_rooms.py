@@ -48,7 +48,8 @@ def people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomFa
     people = facts.occupants[0]
     stated = {fact.room_type for fact in facts.rooms if fact.count is not None}
     if decisions.building.family == "home" and people.noun in _HOUSEHOLD | _SHARING:
-        own = stated - {FOR_VISITORS}
+        unnumbered = {fact.room_type for fact in facts.rooms} if people.noun in _SHARING else set()
+        own = (stated | unnumbered) - {FOR_VISITORS}
         if decisions.building.hub == STUDIO or any(knowledge.room(name).counts_as == "bedroom" for name in own):
             return None
         count = max(1, min(_sleepers(people), 8))
