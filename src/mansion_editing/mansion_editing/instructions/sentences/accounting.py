@@ -136,7 +136,10 @@ def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told
         return "half" not in told.kinds and 0.5 not in told.numbers and 180.0 not in told.numbers
     if text in _WHOLE:
         several = told.flags & {"each", "every"} or told.kinds & {"all", "all_but", "none", "half"}
-        return not (several or (text == "both" and (2.0 in told.numbers or len(group) > 1)) or len(group) > 1)
+        switched = all(isinstance(s, SetState) for s in group)
+        if text == "both" and switched and text_at(said, at + 1) not in ("", "of", ",") and said[at + 1].plural:
+            return not (2.0 in told.numbers or len(group) > 1)  # "both loudspeakers" are two, and not all there are
+        return not (several or (text == "both" and 2.0 in told.numbers) or len(group) > 1)
     if text in _EVERYBODY and text_at(said, at - 1) == "for" and any(isinstance(s, _PLACING) for s in group):
         return not told.flags & {"each", "every"} and max(told.numbers, default=0) < _LEAST_SEVERAL
     if text in _OTHERS:
