@@ -166,3 +166,16 @@ def test_a_room_beside_a_two_car_garage_is_quoted_in_the_order_of_the_text() -> 
     program = plan_building(BuildRequest(description=text)).program
     assert all(wish.span[0] <= wish.span[1] for wish in program.wishes)
     assert "double_garage" in {room.room_type for floor in program.floors for room in floor.rooms}
+
+
+@pytest.mark.parametrize(
+    ("brief", "below"),
+    [
+        ("A mansion with a basement with a pool, a sauna and a cinema with 12 seats", ["pool", "sauna", "cinema"]),
+        ("A house with two floors and a basement with a laundry, a store and a gym.", ["laundry", "store", "gym"]),
+        ("A house with a basement with a laundry, three bedrooms and a garage", ["laundry"]),
+    ],
+)
+def test_a_basement_holds_what_is_listed_after_it_and_may_lie_there(brief: str, below: list[str]) -> None:
+    facts = read_brief(brief, default_knowledge())
+    assert [room.name for room in facts.rooms if any(ref.kind == "basement" for ref in room.floors)] == below

@@ -207,7 +207,22 @@ class _Walk:
         """Put into a basement what it holds: "over a basement with parking", "a spa in a basement with two saunas"."""
         if left and self._stands_in(place, left[-1]):
             self._give(left[-1], place, trailing=True)
-        self._give_all(self._joined(rest), place)
+        self._give_all(self._listed_below(rest) or self._joined(rest), place)
+
+    def _listed_below(self, rest: list[int]) -> list[int]:
+        """Return a whole list of rooms that may all lie below ground: "with a pool, a sauna and a cinema"."""
+        chosen, closed = rest[:1], False
+        for number in rest[1:]:
+            gap = self.reading.words(self.phrases[chosen[-1]].last, self.phrases[number].begin)
+            if not gap or gap[0] not in (",", "and") or len(gap) > 3 or not set(gap) <= {",", "and", "a", "an", "the"}:
+                break
+            chosen.append(number)
+            closed = closed or "and" in gap
+            if "and" in gap:
+                break
+        types = [self.phrases[number].room_type for number in chosen[1:]]
+        below = all(kind and self.reading.knowledge.room(kind).storey in ("any", "basement") for kind in types)
+        return chosen if closed and below and types else []
 
     def _give_all(self, numbers: list[int], place: Place) -> None:
         """Give phrases the storey that stands behind them."""
