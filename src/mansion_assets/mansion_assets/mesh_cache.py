@@ -9,7 +9,6 @@ from typing import Final, NamedTuple
 
 import msgspec
 import numpy as np
-import shapely
 
 from mansion_assets.convex import Box, Convex, Hull
 from mansion_assets.registry import recipe_named
@@ -100,8 +99,8 @@ def _name(look: bytes) -> str:
 
 @cache
 def _folder() -> str:
-    """Return a hash of the code and data that shapes are made by, and of the libraries that compute them."""
-    digest = hashlib.sha256(f"{np.__version__} {shapely.__version__}".encode())
+    """Return a hash of the code and data that shapes are made by, and of the library that computes them."""
+    digest = hashlib.sha256(np.__version__.encode())
     for entry in _sources(files("mansion_assets")):
         digest.update(entry.name.encode() + b"\0" + entry.read_bytes())
     return digest.hexdigest()[:16]
