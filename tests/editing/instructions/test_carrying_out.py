@@ -257,3 +257,8 @@ def test_what_is_too_high_for_a_chest_is_refused_with_its_size(editor: SceneEdit
     report = instruct(editor, "Put the teddy bear in the storage chest.")
     assert not report.done
     assert "teddy bear" in report.message and "does not fit in F1/hall/storage_chest_1" in report.message
+
+
+def test_what_is_brought_can_do_what_most_of_its_kind_do(editor: SceneEditor) -> None:
+    report = instruct(editor, "Put a television on the dining table in the kitchen and switch it on.")
+    assert report.done, report.message

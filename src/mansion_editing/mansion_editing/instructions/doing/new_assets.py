@@ -31,10 +31,23 @@ def assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, l
     if not things.noun:
         raise Unmet("say what to bring")
     assets = yield from find_assets(ObjectDescription(things.noun, 1, things.colour), state)
+    assets.sort(key=lambda a: _is_dummy(a, state))
     if things.material:
         kinds = {asset.category for asset in assets[:1]}
         assets.sort(key=lambda a: (a.category not in kinds, things.material.lower() not in a.material))
     return assets
+
+
+def _is_dummy(info: AssetInfo, state: SceneState) -> bool:
+    """Whether an asset does not open or switch as most others of its kind do: a prop of AI2-THOR."""
+    kind = state.catalogue.by_category(info.category)
+    own = state.catalogue.assets.get(info.asset_id)
+    if own is None:
+        return False
+    most = len(kind) / 2
+    switches = sum(asset.toggleable for asset in kind) > most
+    opens = sum(asset.openable for asset in kind) > most
+    return (switches and not own.toggleable) or (opens and not own.openable)
 
 
 def compared(things: Things, assets: list[AssetInfo], before: Point3, state: SceneState) -> list[AssetInfo]:

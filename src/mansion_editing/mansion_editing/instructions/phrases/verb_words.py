@@ -39,7 +39,7 @@ _VERBS: Final[dict[Deed, str]] = {
     "switch": "turn|switch|power|flip|flick",
     "open": "open|unshut|open up",
     "close": "close|shut|close up",
-    "start": "activate|preheat|start|light|ignite|light up|start up|boot|boot up|enable|run",
+    "start": "activate|preheat|start|light|ignite|light up|start up|boot|boot up|enable|run|power up|fire up|wake up",
     "stop": "deactivate|stop|extinguish|dim|disable|kill|shut down",
     "paint": "paint|colour|color|dye|repaint|recolour|recolor|tint|reupholster|upholster|varnish|lacquer|spray",
     "rename": "rename|call|name|relabel|label",
