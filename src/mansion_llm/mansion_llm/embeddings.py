@@ -1,4 +1,4 @@
-"""Text embeddings from an OpenAI-compatible endpoint (``POST /v1/embeddings``)."""
+"""Text embeddings from the OpenAI-compatible endpoint that the environment names (``POST /v1/embeddings``)."""
 
 import os
 from collections.abc import Mapping, Sequence

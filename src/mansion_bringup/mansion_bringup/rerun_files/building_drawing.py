@@ -1,4 +1,4 @@
-"""A building in a Rerun recording: its floors as meshes, objects and closed doors as boxes that follow the world."""
+"""The world in a Rerun recording: floors, objects and closed doors, the robot with its way, and changes in words."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace

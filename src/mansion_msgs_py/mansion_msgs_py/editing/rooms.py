@@ -1,4 +1,4 @@
-"""Arguments of the tools that rename, finish, clear, furnish and reshape rooms."""
+"""Arguments of the tools that rename, repaint, clear and furnish rooms, and that change the structure of a floor."""
 
 from typing import Annotated, Literal
 

@@ -1,4 +1,4 @@
-"""Services and topics of a node, from the interface table.
+"""Services and topics of a node whose payloads are JSON, and the replies of handlers that fail.
 
 ``diagnostic_msgs/srv/AddDiagnostics`` is the only service of the common interfaces that takes a string and returns a
 string: it is aliased here as `JsonCall` and used by that name everywhere.

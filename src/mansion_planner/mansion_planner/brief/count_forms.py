@@ -1,4 +1,4 @@
-"""Bring counts after their noun or in a table into one form: "4 nos. of flats", "lift 2 nos.", "hall - 1 - 80 m2"."""
+"""Bring counts of all forms into one: "lift 2 nos.", "hall - 1 - 80 m2", "2BHK", "half a dozen"."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace

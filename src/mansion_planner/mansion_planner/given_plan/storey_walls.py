@@ -1,4 +1,4 @@
-"""The straight walls between the rooms of a drawn storey, and between a room and the outside."""
+"""The straight walls between rooms of a drawn storey and to the outside, each with the stretch where a door may be."""
 
 import math
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Whether the occupants of upper storeys, or their way to the stair, ask for a second one."""
+"""Whether the size, height, people or ways of storeys call for a second stair, and whether one has a place."""
 
 from collections.abc import Collection, Sequence
 from typing import Final

@@ -146,7 +146,7 @@ PUBLIC_STAIR: Final = (3, 6)
 """Width and length of a core with two flights of 1.4 m, which many people use at once and leave by, metres."""
 
 LIFT: Final = 2
-"""CompassSide of a lift's shaft, metres."""
+"""Side of a lift's shaft, metres."""
 
 
 @dataclass(frozen=True)

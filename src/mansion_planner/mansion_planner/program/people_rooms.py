@@ -1,4 +1,4 @@
-"""Rooms and work places for the people that a brief says a building is for."""
+"""Rooms and workplaces for the people whom a brief names."""
 
 from collections.abc import Mapping, Sequence
 

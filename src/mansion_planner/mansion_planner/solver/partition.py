@@ -1,4 +1,4 @@
-"""Partitions of a grid into rooms, with statistics that follow every change of a cell.
+"""Partitions of a grid into rooms: statistics that follow every change of a cell, and whether a room is one piece.
 
 A partition is a label for each cell: rooms 0 to n-1, obstacles (cores, fixed rooms) n to m-2, and m-1 for the outside.
 The kernels take plain arrays: a named tuple of many arrays costs more to pass than the work it is passed for.

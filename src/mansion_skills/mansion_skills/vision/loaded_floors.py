@@ -1,4 +1,4 @@
-"""The floors that a camera keeps loaded, those used last, and how it draws them."""
+"""The floors that a camera keeps loaded, which are the last it used, and how it draws them."""
 
 from collections import OrderedDict
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Rules on the rooms that an exit route may lead through."""
+"""Rules on the rooms that exit routes, and ways to toilets, may lead through."""
 
 from collections.abc import Iterator
 

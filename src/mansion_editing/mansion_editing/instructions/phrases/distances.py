@@ -1,4 +1,4 @@
-"""Distances from things in metres, as places: ``within 0.5 m of the sofa``, ``two metres from the desk``."""
+"""Places given by a distance in metres: ``within 0.5 m of the sofa``, ``two metres from the desk``."""
 
 from collections.abc import Sequence
 from typing import Final

@@ -1,4 +1,4 @@
-"""Storeys told from another place: ``one flight up``, ``two floors below the lobby``, ``the floor above``."""
+"""How many storeys up or down a place is said to be: ``one flight up``, ``two floors below``, ``the floor above``."""
 
 from collections.abc import Sequence
 from typing import Final

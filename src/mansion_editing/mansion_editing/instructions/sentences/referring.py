@@ -1,4 +1,4 @@
-"""What ``it``, ``there`` and ``in there`` stand for, told from what the clauses before were about."""
+"""What ``it``, ``there`` and ``in there`` stand for, from the clauses before, and what ``clear it`` then asks for."""
 
 from typing import Any, Final
 
