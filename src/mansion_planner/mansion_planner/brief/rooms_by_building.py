@@ -94,25 +94,12 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, head="room", building="", room_type=studio, known=False)
     if phrase.name == "cell" and phrase.room_type == "holding_cell" and family in _DWELT_IN | {"worship", "culture"}:
         return replace(phrase, room_type="bedroom", known=False)  # a monk's
-    if family == "home" and phrase.name in _SLEPT_IN:
-        return replace(phrase, room_type=_SLEPT_IN[phrase.name], known=True)
     if family == "health" and phrase.name in ("theatre", "theater"):
         return replace(phrase, head="room", building="", room_type="operating_room", known=True)
     if family == "lodging" and phrase.name in _LET:
         return replace(phrase, room_type="hotel_room", known=True)
-    if family in ("home", "") and not phrase.known and _is_of_somebody(words) and phrase.head == "room":
-        return replace(phrase, room_type="childrens_room" if words[0] in _YOUNG else "bedroom", known=True)
-    if family == "home" and phrase.name == "loft" and (phrase.building or phrase.head == "room"):
-        sleeping = reading.word(phrase.last) == "for" and reading.word(phrase.last + 1).startswith("sleep")
-        return replace(phrase, head="room", building="", room_type="bedroom" if sleeping else "attic", known=True)
-    if family == "home" and phrase.name == "parent" and phrase.head == "room":
-        return replace(phrase, room_type="master_bedroom", count=1, counted=False, plural=False)
-    if (family == "home" and phrase.name in _AT_HOME) or (not family and phrase.name == "diner"):
-        return replace(phrase, head="room", building="", room_type=_AT_HOME[phrase.name], known=True)
-    if family == "home" and phrase.name == "library" and phrase.room_type == "library":
-        return replace(phrase, head="room", building="", room_type="library_room", known=True)
-    if family == "home" and phrase.room_type == HEAD_TYPES["chamber"] and phrase.name == "chamber":
-        return replace(phrase, room_type="bedroom", known=True)
+    if family in ("home", "") and (found := _at_home(reading, phrase, words, family)):
+        return found
     if family == "industry" and phrase.room_type == "assembly_hall" and words[0] == "assembly":
         return replace(phrase, room_type="production_hall")
     if family == "industry" and words[-2:] == ["machine", "room"]:
@@ -127,6 +114,27 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, room_type="shower_area")
     if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:
         return replace(phrase, room_type="study_room", known=False)
+    return None
+
+
+def _at_home(reading: Reading, phrase: Phrase, words: Sequence[str], family: str) -> Phrase | None:
+    """The room that a phrase means in a home, or in a building of no known kind."""
+    if not phrase.known and _is_of_somebody(words) and phrase.head == "room":
+        return replace(phrase, room_type="childrens_room" if words[0] in _YOUNG else "bedroom", known=True)
+    if not family:
+        diner = phrase.name == "diner"
+        return replace(phrase, head="room", building="", room_type=_AT_HOME["diner"], known=True) if diner else None
+    if phrase.name == "loft" and (phrase.building or phrase.head == "room"):
+        sleeping = reading.word(phrase.last) == "for" and reading.word(phrase.last + 1).startswith("sleep")
+        return replace(phrase, head="room", building="", room_type="bedroom" if sleeping else "attic", known=True)
+    if phrase.name == "parent" and phrase.head == "room":
+        return replace(phrase, room_type="master_bedroom", count=1, counted=False, plural=False)
+    if phrase.name in _AT_HOME:
+        return replace(phrase, head="room", building="", room_type=_AT_HOME[phrase.name], known=True)
+    if phrase.name == "library" and phrase.room_type == "library":
+        return replace(phrase, head="room", building="", room_type="library_room", known=True)
+    if phrase.name == "chamber" and phrase.room_type == HEAD_TYPES["chamber"]:
+        return replace(phrase, room_type="bedroom", known=True)
     return None
 
 
@@ -183,9 +191,6 @@ _AT_HOME = {
     "store": "storage",
 }  # fmt: skip
 """Rooms of a home that other buildings have for something else, by their names."""
-
-_SLEPT_IN = {"private_room": "bedroom", "parent_room": "master_bedroom"}
-"""Rooms of a home that are to sleep in, and that other buildings have for something else."""
 
 _LET = frozenset({"private_room", "family_room"})
 """Rooms of a hostel or a refuge that guests have to themselves."""

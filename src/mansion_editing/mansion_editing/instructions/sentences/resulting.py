@@ -1,4 +1,4 @@
-"""States said after a clause of what it moves or adds: ``on the desk, switched on``, ``in the wardrobe, which stays open``."""
+"""States said after a clause of what it moves or adds: ``on the desk, switched on``, ``which stays open``."""
 
 from typing import Final, Literal, TypeAlias
 
