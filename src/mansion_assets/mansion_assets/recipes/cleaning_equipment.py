@@ -65,21 +65,29 @@ def mop_bucket(b: Builder) -> None:
 
 @recipe("scrub_brush")
 def scrub_brush(b: Builder) -> None:
-    """A hand brush that stands on its end: rows of stiff bristles out of a wooden back, a waisted grip with a hole."""
+    """A brush that stands on its bristles: stiff tufts spread below a wooden block, a long grip with a loop above."""
     w, d, h = b.w, b.d, b.h
-    back, front, head = -d / 2, -d * 0.16, h * 0.6
-    b.box((-w / 2, w / 2), (back, front), (h * 0.02, head), "wood_oak", "block")
-    b.rod((0, back, h * 0.03), (0, front, h * 0.03), h * 0.03, "wood_oak", "block", 16)
-    neck = [(-w / 2, head), (w / 2, head), (w * 0.2, h * 0.7), (-w * 0.2, h * 0.7)]
-    b.prism(neck, (back, front), "wood_oak", "y", "grip")
-    b.box((-w * 0.2, w * 0.2), (back, front), (h * 0.7, h * 0.86), "wood_oak", "grip")
-    b.rod((0, back, h * 0.88), (0, front, h * 0.88), h * 0.12, "wood_oak", "grip", 24)
-    b.rod((0, back, h * 0.9), (0, front + d * 0.01, h * 0.9), h * 0.03, "plastic_26272b", "hole", 16)
-    for i in range(4):
-        for j in range(9):
-            x, z = w * (-0.375 + 0.25 * i), h * (0.06 + 0.063 * j)
-            color = ("plastic_2f6fd0", "plastic_f4e8c8")[(i in (0, 3)) or j in (0, 8)]
-            b.taper((x, front, z), (x * 1.1, d / 2, z), (w * 0.07, w * 0.1), color, "bristles", 6)
+    low, high = h * 0.17, h * 0.27
+    b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (low, high), "wood_oak", "block", 0.35)
+    for i in range(5):
+        for j in range(5):
+            u, v = -0.36 + 0.18 * i, -0.36 + 0.18 * j
+            color = "plastic_f4e8c8" if (i + j) % 2 else "plastic_2f6fd0"
+            b.taper(
+                (w * u, d * v, low + 0.004),
+                (w * u * 1.22, d * v * 1.22, 0),
+                (w * 0.06, w * 0.085),
+                color,
+                "bristles",
+                6,
+            )
+    b.taper((0, 0, high - 0.004), (0, 0, h * 0.42), (w * 0.24, w * 0.13), "wood_oak", "grip", 16)
+    b.taper((0, 0, h * 0.42), (0, 0, h * 0.9), (w * 0.13, w * 0.17), "wood_oak", "grip", 16)
+    b.ball((0, 0, h * 0.9), (w * 0.17, w * 0.17, h * 0.04), "wood_oak", "grip", 16)
+    loop = [
+        (w * 0.12 * math.cos(a), 0, h * 0.955 + h * 0.04 * math.sin(a)) for a in (k * math.tau / 10 for k in range(11))
+    ]
+    b.path(loop, 0.005, "fabric_white", "loop")
 
 
 @recipe("dish_sponge")

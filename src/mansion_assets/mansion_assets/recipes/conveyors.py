@@ -36,21 +36,62 @@ def conveyor(b: Builder) -> None:
 
 @recipe("carousel")
 def carousel(b: Builder) -> None:
-    """Baggage belt round a central panel, with cases on it."""
+    """Baggage belt of overlapping plates round a central panel, with suitcases standing on it."""
     w, d, h = b.w, b.d, b.h
-    ring = min(0.8, d * 0.42)
-    outline = []
+    deep, floor = min(0.8, d * 0.42), h * 0.36
     r = d / 2
-    for k in range(17):
-        a = -math.pi / 2 + k * math.pi / 16
-        outline.append((w / 2 - r + r * math.cos(a), r * math.sin(a)))
+    half = [-math.pi / 2 + k * math.pi / 16 for k in range(17)]
+    outline = [(w / 2 - r + r * math.cos(a), r * math.sin(a)) for a in half]
     outline += [(-x, -y) for x, y in outline]
-    b.prism(outline, (0, h * 0.6), b.mat(), "z", "base")
-    b.prism([(x * 0.985, y * 0.97) for x, y in outline], (h * 0.6, h * 0.66), "rubber_black", "z", "belt")
-    b.box((-w / 2 + ring, w / 2 - ring), (-d / 2 + ring, d / 2 - ring), (h * 0.6, h), b.mat(), "core")
-    for k, color in enumerate(("plastic_blue", "plastic_red", "leather_brown")):
-        x = -w * 0.3 + k * w * 0.28
-        b.cushion((x, x + 0.5), (d / 2 - ring + 0.1, d / 2 - ring + 0.45), (h * 0.66, h * 0.98), color, "cases", 0.3)
+    b.prism(outline, (0, floor - 0.04), b.mat(), "z", "base")
+    b.prism([(x * 0.985, y * 0.97) for x, y in outline], (floor - 0.04, floor), "rubber_black", "z", "belt")
+    b.box((-w / 2 + deep, w / 2 - deep), (-d / 2 + deep, d / 2 - deep), (floor, h * 0.62), b.mat(), "core")
+    _belt_plates(b, deep, floor)
+    cases = ("plastic_2f6fd0", "plastic_red", "leather_brown", "plastic_yellow", "plastic_26272b")
+    for k, color in enumerate(cases):
+        x = w * (-0.33 + 0.165 * k)
+        _suitcase(b, (x, d / 2 - deep * 0.5, floor), h - floor - 0.02 - 0.06 * (k % 2), color)
+
+
+def _belt_plates(b: Builder, deep: float, z: float) -> None:
+    """The joints of the belt's plates: across along the straights, like spokes round the ends."""
+    w, d = b.w, b.d
+    r = d / 2
+    count = max(6, round((w - d) / 0.3))
+    for k in range(count + 1):
+        x = -(w / 2 - r) + (w - d) * k / count
+        for side in (-1, 1):
+            b.rod((x, side * (r - deep), z), (x, side * r * 0.95, z), 0.008, "metal_grey", "plates", 6)
+    for k in range(1, 8):
+        a = -math.pi / 2 + k * math.pi / 8
+        for side in (-1, 1):
+            inner, outer = ((side * (w / 2 - r + s * math.cos(a)), s * math.sin(a), z) for s in (r - deep, r * 0.95))
+            b.rod(inner, outer, 0.008, "metal_grey", "plates", 6)
+
+
+def _suitcase(b: Builder, at: tuple[float, float, float], tall: float, color: str) -> None:
+    """A suitcase that stands on its wheels: a ribbed shell, a grip on top, and a label that hangs from it."""
+    x, y, z = at
+    wide, deep, shell = tall * 0.66, tall * 0.36, tall * 0.86
+    b.cushion(
+        (x - wide / 2, x + wide / 2), (y - deep / 2, y + deep / 2), (z + tall * 0.04, z + shell), color, "cases", 0.2
+    )
+    for k in range(4):
+        u = x + wide * (-0.3 + 0.2 * k)
+        b.rod((u, y + deep / 2, z + tall * 0.14), (u, y + deep / 2, z + shell * 0.9), 0.012, color, "cases", 8)
+    grip = [(x - wide * 0.2, y, z + shell), (x - wide * 0.2, y, z + tall), (x + wide * 0.2, y, z + tall)]
+    b.path([*grip, (x + wide * 0.2, y, z + shell)], 0.014, "plastic_26272b", "grips")
+    for side in (-1, 1):
+        b.ball((x + side * wide * 0.36, y, z + tall * 0.04), (0.04, 0.04, 0.04), "rubber_black", "wheels", 8)
+    label = (y + deep / 2 + 0.012, y + deep / 2 + 0.018)
+    b.box(
+        (x + wide * 0.18, x + wide * 0.34),
+        label,
+        (z + shell * 0.6, z + shell * 0.86),
+        "paper_white",
+        "labels",
+        solid=False,
+    )
 
 
 @recipe("scanner_belt")

@@ -6,6 +6,7 @@ from typing import Any
 
 from mansion_assets.builder import Builder
 from mansion_assets.catalogue.receptacles import Receptacle, inset, surface
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
 
@@ -143,6 +144,31 @@ def table(b: Builder) -> None:
     if b.p.get("shelf") or (h < 0.6 and style == "four" and b.w * 1000 % 2 < 1):
         z = h * 0.3
         b.box((-b.w / 2 + 0.04, b.w / 2 - 0.04), (-b.d / 2 + 0.04, b.d / 2 - 0.04), (z - 0.02, z), frame, "shelf")
+
+
+@recipe("display_table")
+def display_table(b: Builder) -> None:
+    """A shop's table: an apron with a red sale sign and price tags, folded clothes in colours on a shelf below."""
+    w, d, h = b.w, b.d, b.h
+    table_top(b, h, 0.05, round_=False)
+    _supports(b, "four", h - 0.05, b.mat())
+    apron, shelf = h - 0.17, h * 0.24
+    for y in (-d / 2 + 0.02, d / 2 - 0.04):
+        b.box((-w / 2 + 0.03, w / 2 - 0.03), (y, y + 0.02), (apron, h - 0.05), b.mat(), "apron")
+    b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + 0.03, d / 2 - 0.03), (shelf - 0.03, shelf), b.mat(), "shelf")
+    face = DrawnFace.front(b, d / 2 - 0.02)
+    low, high = h - 0.34, h - 0.06
+    face.field((-w * 0.2, w * 0.2), (low, high), "paint_red", "sign", 0.012)
+    DrawnFace.front(b, d / 2 - 0.008).write("SALE", (-w * 0.17, w * 0.17), (low + 0.03, high - 0.03), "plastic_white")
+    for u in (-0.4, -0.29, 0.29, 0.4):
+        face.field((w * u - 0.03, w * u + 0.03), (h - 0.11, h - 0.06), "paper_white", "tags", 0.008)
+    colors = ("fabric_c94f4f", "fabric_2f5fa8", "fabric_e0b84a", "fabric_4f8f6a", "fabric_8a5fa8")
+    width = (w - 0.2) / len(colors)
+    for k, color in enumerate(colors):
+        x = -w / 2 + 0.1 + width * k
+        for j in range(4):
+            z = shelf + 0.055 * j
+            b.cushion((x + 0.015, x + width - 0.015), (-d * 0.1, d / 2 - 0.06), (z, z + 0.05), color, "clothes", 0.4)
 
 
 def _drawers(b: Builder, x: tuple[float, float], z: float) -> None:

@@ -89,6 +89,36 @@ def pressure_gauge_stand(b: Builder) -> None:
     b.ball((-w * 0.36, d * 0.37, h * 0.33), (0.035, 0.035, 0.06), "rubber_black", "bulb", 12)
 
 
+@recipe("medicine_cart")
+def medicine_cart(b: Builder) -> None:
+    """A cabinet of drawers on castors: a capsule, the word MEDS and labels on its front, a green cross at its side."""
+    cabinet(b)
+    w, d, h = b.w, b.d, b.h
+    rows = int(b.p["rows"])
+    face = DrawnFace.front(b, d / 2 - 0.006)
+    step = (h - 0.12) / rows
+    for k in range(rows):
+        v = 0.1 + step * (k + 0.5)
+        with b.fixed_to(f"drawer_{k + 1}"):
+            if k == rows - 1:
+                _capsule(face, -w * 0.24, v - step * 0.05, step * 0.24)
+            elif k == rows - 2:
+                face.write("MEDS", (-w * 0.46, -w * 0.1), (v - step * 0.3, v + step * 0.3), "plastic_2f6fd0")
+            else:
+                face.field((-w * 0.4, -w * 0.18), (v - step * 0.16, v + step * 0.16), "plastic_2f6fd0", "labels", 0.004)
+    side = DrawnFace.side(b, w / 2)
+    side.field((-d * 0.09, d * 0.09), (h * 0.46, h * 0.9), "plastic_green", "cross", 0.004)
+    side.field((-d * 0.26, d * 0.26), (h * 0.6, h * 0.76), "plastic_green", "cross", 0.004)
+
+
+def _capsule(face: DrawnFace, u: float, v: float, r: float) -> None:
+    """A capsule, half red and half yellow, four radii long."""
+    for side, material in ((-1, "paint_red"), (1, "paint_yellow")):
+        near, far = sorted((u, u + side * r * 1.4))
+        face.field((near, far), (v - r, v + r), material, "capsule", 0.004)
+        face.disc(u + side * r * 1.4, v, r, material, "capsule", 0.004)
+
+
 @recipe("crash_cart")
 def crash_cart(b: Builder) -> None:
     """A cabinet of drawers on castors with a heartbeat on its front, coloured labels, and a white cross at its side."""
