@@ -9,7 +9,7 @@ from typing import Any, Final, ParamSpec, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Bools", "Counts", "Floats", "Ints", "Labels", "kernel"]
+__all__ = ["Bools", "Counts", "Floats", "Ints", "Labels", "kernel", "start_kernels"]
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -42,6 +42,24 @@ def kernel(function: Callable[P, R]) -> Callable[P, R]:
     _announce_compilation()
     compiled: Callable[P, R] = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
     return compiled
+
+
+def start_kernels() -> None:
+    """Import what numba needs to load machine code, which the first call of a kernel does otherwise.
+
+    Processes that are forked afterwards share it.
+    """
+    _smallest()(1.0)
+
+
+@cache
+def _smallest() -> Callable[[float], float]:
+    return kernel(_same)
+
+
+def _same(number: float) -> float:
+    """Return the number, as the least that can be compiled."""
+    return number
 
 
 @cache

@@ -1,5 +1,6 @@
 """The command line: ``mansion COMMAND ...``."""
 
+import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -14,6 +15,9 @@ __all__ = ["main"]
 
 EXIT_FAILURE = 1
 EXIT_INFEASIBLE = 2
+
+COLLECT_AFTER = 20_000
+"""New objects after which garbage is looked for: importing makes many that stay, and each search visits them."""
 
 
 def _require_text(arguments: Sequence[str]) -> None:
@@ -38,6 +42,7 @@ def _print_more(error: MansionError) -> None:
 
 def main() -> NoReturn:
     """Run the command line; expected failures print one line and end with status 1, an infeasible brief with 2."""
+    gc.set_threshold(COLLECT_AFTER, 20, 20)
     keep_to_this_machine()
     try:
         _require_text(sys.argv[1:])

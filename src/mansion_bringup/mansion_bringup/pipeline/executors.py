@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_export.formats import Outputs, outputs_of_build
+from mansion_geometry.compiled import start_kernels
 from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.workers import worker_pool
 
@@ -97,4 +98,6 @@ def _import_stages(outputs: Outputs) -> None:
     for module in _export_modules(outputs):
         import_module(module)
     with importing:
-        import mansion_planner.solver  # noqa: F401
+        import mansion_planner.solver
+        import mansion_scene.assembly  # noqa: F401
+    start_kernels()
