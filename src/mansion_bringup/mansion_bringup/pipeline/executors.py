@@ -98,6 +98,6 @@ def _import_stages(outputs: Outputs) -> None:
     for module in _export_modules(outputs):
         import_module(module)
     with importing:
-        import mansion_planner.solver
-        import mansion_scene.assembly  # noqa: F401
+        for module in ("mansion_planner.solver", "mansion_scene.assembly"):
+            import_module(module)
     start_kernels()
