@@ -15,7 +15,6 @@ from mansion_editing.robot_passages import passages_of
 from mansion_editing.state import Change, SceneState
 from mansion_editing.storage import BuildingStore
 from mansion_editing.tools import (
-    doors,
     finishes,
     furnishing,
     manipulation,
@@ -27,9 +26,8 @@ from mansion_editing.tools import (
     rooms,
     swapping,
 )
-from mansion_editing.tools.diff import in_words
 from mansion_editing.tools.furnishing import Furnisher
-from mansion_editing.unsaved_changes import document, room_records, waiting
+from mansion_editing.unsaved_changes import document, in_words, room_records, waiting
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.codec import decode, encode, encode_bytes
 from mansion_msgs_py.editing.changes import DiffReport, EditResult, ObjectChange, RoomChange, Transaction
@@ -297,7 +295,7 @@ class SceneEditor:
         if tool == "PaintObject":
             item = painting.paint_object(state, args)
             return f"{item.id} is of {item.material}, {item.color}"
-        door = doors.door_swung(state, args)
+        door = manipulation.door_swung(state, args)
         if door is not None:
             floor, swung = door
             self._replace_scene(floor, swung)

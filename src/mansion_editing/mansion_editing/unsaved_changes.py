@@ -1,4 +1,4 @@
-"""Unsaved changes: the documents as they are going to be, and the changes that make them so."""
+"""Unsaved changes: the documents as they are going to be, the changes that make them so, and these in words."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -7,15 +7,15 @@ import msgspec
 
 from mansion_editing.document_copies import Documents, floor_of, is_scene
 from mansion_editing.room_parts import program_with, records_of, topology_with
-from mansion_editing.state import SceneState, net_changes, net_rooms
+from mansion_editing.state import Change, SceneState, net_changes, net_rooms
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.building_folder import INDEX, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.editing.changes import DocumentChange, ObjectChange, RoomChange
+from mansion_msgs_py.editing.changes import DocumentChange, ObjectChange, RoomChange, RoomParts
 from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.topology import FloorTopology, TopologyNode
 
-__all__ = ["Waiting", "document", "room_records", "waiting"]
+__all__ = ["Waiting", "document", "in_words", "room_records", "waiting"]
 
 
 class Waiting(NamedTuple):
@@ -90,3 +90,44 @@ def room_records(
 
 def _graph(floor: int) -> str:
     return f"{floor_directory(floor)}/topology.json"
+
+
+def in_words(change: Change) -> str:
+    """Return a change in words: ``+`` what comes, ``-`` what goes, ``~`` what differs and how a room does.
+
+    Examples
+    --------
+    >>> in_words(DocumentChange(path="floors/floor_1/layout.json", before="6f1c", after="90aa"))
+    '~ floors/floor_1/layout.json'
+    """
+    if isinstance(change, DocumentChange):
+        return f"{_sign(change.before, change.after)} {change.path}"
+    if isinstance(change, ObjectChange):
+        return f"{_sign(change.before, change.after)} {change.id}"
+    told = _facts(change.before)
+    facts = [
+        f"{name} {told[name] or 'none'} -> {value or 'none'}"
+        for name, value in _facts(change.after).items()
+        if value != told[name]
+    ]
+    return f"~ {change.id} ({'; '.join(facts) or 'as its records have it'})"
+
+
+def _sign(before: object, after: object) -> str:
+    if not before:
+        return "+"
+    return "~" if after else "-"
+
+
+def _facts(parts: RoomParts) -> dict[str, str]:
+    room = parts.room
+    start = "" if parts.spawn is None else f"{parts.spawn.x} {parts.spawn.y}"
+    return {
+        "name": room.name,
+        "type": room.room_type,
+        "walls": room.wall_material,
+        "floor": room.floor_material,
+        "ceiling": room.ceiling_material,
+        "lights": str(len(parts.lights)),
+        "robot's start": start,
+    }

@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Mention, SetState
+from mansion_editing.instructions.statements import Add, Mention, SetState
 from mansion_editing.state import SceneState
 
 
@@ -108,3 +108,28 @@ def test_what_a_person_comes_with_asks_for_nothing(furnished_state: SceneState, 
 
 def test_what_a_person_in_a_wheelchair_needs_is_not_passed_over(furnished_state: SceneState) -> None:
     assert read_instruction("A client in a wheelchair needs a desk. Open the fridge.", furnished_state).not_understood
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        "We're four for dinner tonight, so",
+        "There will be five of us for lunch;",
+        "There are eight of us in the house now.",
+        "There are six guests tonight, so",
+        "We'll be ten at the table:",
+        "We are six at breakfast tomorrow,",
+    ],
+)
+def test_a_number_of_people_asks_for_nothing(furnished_state: SceneState, told: str) -> None:
+    instruction = read_instruction(f"{told} put two plates on the dining table in the kitchen.", furnished_state)
+    assert instruction.not_understood == []
+    (asked,) = [statement for statement in instruction.statements if not isinstance(statement, Mention)]
+    assert isinstance(asked, Add) and asked.things.amount.number == 2
+
+
+@pytest.mark.parametrize(
+    "told", ["We're two short in the kitchen", "We are two chairs short", "There should be six of us"]
+)
+def test_a_number_that_is_missing_is_not_passed_over(furnished_state: SceneState, told: str) -> None:
+    assert read_instruction(f"{told}. Open the fridge.", furnished_state).not_understood

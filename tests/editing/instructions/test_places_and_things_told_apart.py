@@ -4,9 +4,9 @@ import pytest
 
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
-from mansion_editing.instructions.phrases.former_spots import read_former_spot
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.places import read_place
+from mansion_editing.instructions.phrases.unnamed_places import read_former_spot
 from mansion_editing.instructions.phrases.words import split_words
 from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import Add, Clear, Ensure, Move, Place, Remove, Replace, SetState

@@ -51,3 +51,11 @@ def test_a_part_that_cannot_be_done_leaves_the_rest(editor: SceneEditor) -> None
     report = instruct(editor, text, partly=True)
     assert report.done and "sofa_1 removed" in report.message and "not done:" in report.message
     assert not [item for _, item in editor.state.objects() if item.category == "piano"]
+
+
+def test_a_plate_for_each_chair_is_not_put_on_the_chairs(furnished_state: SceneState) -> None:
+    assert read_instruction("Put a plate for each chair in the hall.", furnished_state).not_understood
+
+
+def test_a_cushion_is(furnished_state: SceneState) -> None:
+    assert not read_instruction("Put a cushion on each chair in the hall.", furnished_state).not_understood

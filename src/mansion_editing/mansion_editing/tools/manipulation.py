@@ -1,4 +1,4 @@
-"""RemoveObject, MoveObject and SetState: change the objects that a scene has."""
+"""RemoveObject, MoveObject and SetState: change the objects and open or close the doors that a scene has."""
 
 import math
 from collections.abc import Collection, Sequence
@@ -16,6 +16,7 @@ from mansion_editing.tools.placing_wishes import refusal, wish_of
 from mansion_editing.tools.relations import NO_WISH, PlacingWish, looks_at
 from mansion_editing.tools.resting import settle_on
 from mansion_editing.tools.tops import carries_on_top
+from mansion_geometry.doorways import LEAFLESS
 from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, footprint_at
 from mansion_msgs_py.editing.objects import MoveObjectArgs, RemoveObjectArgs, SetStateArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -23,7 +24,7 @@ from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.wording import with_article
 from mansion_scene.decor.frames import room_polygon, to_local
 
-__all__ = ["at_point", "move_object", "relocate", "remove_object", "scene_with", "set_state"]
+__all__ = ["at_point", "door_swung", "move_object", "relocate", "remove_object", "scene_with", "set_state"]
 
 OVERLAP = 1e-3
 """Square metres by which footprints may overlap through rounding."""
@@ -338,3 +339,28 @@ def _with(before: SceneObject, after: SceneObject, member: SceneObject) -> Scene
     )
     turn = round((member.rotation + after.rotation - before.rotation) % 360.0, 4)
     return msgspec.structs.replace(member, room=after.room, position=position, rotation=turn)
+
+
+def door_swung(state: SceneState, args: SetStateArgs) -> tuple[int, FloorScene] | None:
+    """Return the floor of a door, by its id, with its scene as it is once the door is open or closed; else None.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` without `open`, ``INFEASIBLE`` for what has no leaf and for a lift's door.
+    """
+    for floor in state.floors:
+        scene = state.scenes[floor]
+        at = next((number for number, door in enumerate(scene.doors) if door.id == args.object_id), None)
+        if at is None:
+            continue
+        door = scene.doors[at]
+        if args.open is None or args.on is not None:
+            raise MansionError(ErrorCode.INVALID_PAYLOAD, "a door is open or closed: give open", path="$.open")
+        if door.kind in LEAFLESS:
+            raise MansionError(ErrorCode.INFEASIBLE, f"{door.id} has no leaf to open or close", path="$.open")
+        if door.kind == "sliding":
+            raise MansionError(ErrorCode.INFEASIBLE, f"{door.id} is a lift's door, which the lift opens", path="$.open")
+        doors = [*scene.doors[:at], msgspec.structs.replace(door, is_open=args.open), *scene.doors[at + 1 :]]
+        return floor, msgspec.structs.replace(scene, doors=doors)
+    return None

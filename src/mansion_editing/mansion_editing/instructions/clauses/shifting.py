@@ -4,7 +4,7 @@ from typing import Final, Literal, TypeAlias
 
 from mansion_editing.instructions.clauses.items import Item
 from mansion_editing.instructions.clauses.outcomes import Outcomes
-from mansion_editing.instructions.phrases.measures import read_length
+from mansion_editing.instructions.phrases.distances import read_length
 from mansion_editing.instructions.phrases.places import read_place
 from mansion_editing.instructions.statements import Move, Place, Shift, Spot, Statement, Things
 

@@ -6,11 +6,11 @@ from typing import Any, Final
 
 from mansion_editing.instructions.doing.answering import answer
 from mansion_editing.instructions.doing.changing import paint, reach, set_state
+from mansion_editing.instructions.doing.exact_moves import shift
 from mansion_editing.instructions.doing.moving import move, swap, turn
 from mansion_editing.instructions.doing.providing import add, ensure, replace_things
 from mansion_editing.instructions.doing.removing import clear, remove
 from mansion_editing.instructions.doing.rooms import finish, furnish_rooms, rename, reshape
-from mansion_editing.instructions.doing.shifting import shift
 from mansion_editing.instructions.doing.work import Done, Work, listed
 from mansion_editing.instructions.meaning.choices import things_meant
 from mansion_editing.instructions.meaning.context import Context

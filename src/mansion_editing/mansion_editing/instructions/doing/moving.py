@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import msgspec
 
-from mansion_editing.instructions.doing.former_spots import move_to_former_spot
+from mansion_editing.instructions.doing.exact_moves import move_to_former_spot
 from mansion_editing.instructions.doing.gathering import gather
 from mansion_editing.instructions.doing.new_assets import counters_by
 from mansion_editing.instructions.doing.providing import add, wishes_of

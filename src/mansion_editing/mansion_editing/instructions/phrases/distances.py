@@ -1,4 +1,4 @@
-"""Places given by a distance in metres: ``within 0.5 m of the sofa``, ``two metres from the desk``."""
+"""Lengths, ``half a metre``, and places told by them: ``within 0.5 m of the sofa``, ``two metres from the desk``."""
 
 from collections.abc import Sequence
 from typing import Final
@@ -8,7 +8,7 @@ from mansion_editing.instructions.phrases.noun_phrases import noun_phrase
 from mansion_editing.instructions.phrases.words import Word, text_at
 from mansion_editing.instructions.statements import Place
 
-__all__ = ["read_distance", "read_within"]
+__all__ = ["read_distance", "read_length", "read_within"]
 
 _METRES: Final = {"m": 1.0, "metre": 1.0, "cm": 0.01, "centimetre": 0.01, "centimeter": 0.01, "ft": 0.3048}
 
@@ -78,3 +78,30 @@ def _metres_from(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     within = told + (_FAR if least else slack)
     near = Place(relation="near", anchor=target.things(), within=round(within, 3), apart=round(apart, 3))
     return near, target.end
+
+
+_UNITS: Final = {
+    "m": 1.0, "metre": 1.0, "cm": 0.01, "centimetre": 0.01, "centimeter": 0.01, "ft": 0.3048, "foot": 0.3048,
+    "inch": 0.0254, "mm": 0.001, "dm": 0.1,
+}  # fmt: skip
+
+
+def read_length(words: Sequence[Word], at: int) -> tuple[float, int] | None:
+    """Return a length in metres and the place after it; None where the words at a place are none."""
+    place = at + (text_at(words, at) in ("about", "by", "some", "around", "exactly", "roughly"))
+    value = 0.0
+    if place < len(words) and words[place].kind == "number":
+        value, place = words[place].value, place + 1
+        if text_at(words, place) == "and" and text_at(words, place + 2) == "half":
+            value, place = value + 0.5, place + 3
+    elif text_at(words, place) == "half":
+        value, place = 0.5, place + 1 + (text_at(words, place + 1) in ("a", "an"))
+    elif text_at(words, place) in ("a", "one", "another"):
+        value, place = 1.0, place + 1
+    factor = _UNITS.get(text_at(words, place))
+    if not value or factor is None:
+        return None
+    place += 1
+    if tuple(w.text for w in words[place : place + 3]) == ("and", "a", "half"):
+        value, place = value + 0.5, place + 3
+    return round(value * factor, 3), place

@@ -8,12 +8,15 @@ import msgspec
 
 from mansion_editing.instructions.phrases.distances import read_distance, read_within
 from mansion_editing.instructions.phrases.each_other import EACH_OTHER, end_of_each_other
-from mansion_editing.instructions.phrases.former_spots import read_former_spot
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
-from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
-from mansion_editing.instructions.phrases.spaces import end_of_building, end_of_same_room, goes_on_with_noun
-from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.storeys import read_relative_storey, read_storeys
+from mansion_editing.instructions.phrases.unnamed_places import (
+    end_of_building,
+    end_of_same_room,
+    goes_on_with_noun,
+    read_former_spot,
+)
 from mansion_editing.instructions.phrases.word_sets import (
     BEFORE_PLACES,
     BEFORE_SPOTS,

@@ -1,12 +1,13 @@
-"""Storeys in an instruction: ``the second floor``, ``level 3``, ``4F``, ``upstairs``, ``floors 1, 2 and 3``."""
+"""Storeys in an instruction: ``the second floor``, ``4F``, ``floors 1, 2 and 3``, ``upstairs``, ``one flight up``."""
 
 from collections.abc import Sequence
 from typing import Final
 
+from mansion_editing.instructions.phrases.amounts import number_at
 from mansion_editing.instructions.phrases.word_sets import BEFORE_STOREYS
-from mansion_editing.instructions.phrases.words import BE, MODALS, PREPOSITIONS, Word
+from mansion_editing.instructions.phrases.words import BE, MODALS, PREPOSITIONS, Word, text_at
 
-__all__ = ["Storeys", "read_storeys"]
+__all__ = ["RelativeStorey", "Storeys", "read_relative_storey", "read_storeys"]
 
 Storeys = tuple[tuple[int, ...], bool, int]
 """Their numbers, whether every one of them is meant on its own, and the place in the words after them."""
@@ -154,3 +155,41 @@ def _ordinal(word: Word, floors: Sequence[int]) -> int | None:
     if word.text in _HIGHEST:
         return floors[-1]
     return None
+
+
+RelativeStorey = tuple[int, int]
+"""How many storeys up, and the place in the words after them."""
+
+_STEPS: Final = frozenset(["flight", "floor", "level", "storey", "story"])
+_UP: Final = {"up": 1, "higher": 1, "above": 1, "upstairs": 1, "down": -1, "lower": -1, "below": -1, "downstairs": -1}
+_AHEAD: Final = {"up": 1, "down": -1}
+
+
+def read_relative_storey(words: Sequence[Word], at: int) -> RelativeStorey | None:
+    """Read storeys that are counted from elsewhere; None where the words at a place are none."""
+    place = at + (text_at(words, at) in ("on", "at") and text_at(words, at + 1) in ("the", "next"))
+    if text_at(words, place) in _AHEAD:
+        steps = _steps(words, place + 1)
+        return None if steps is None else (_AHEAD[words[place].text] * steps[0], steps[1])
+    steps = _steps(words, place)
+    if steps is None or text_at(words, steps[1]) not in _UP:
+        return None
+    number, end = steps
+    return _UP[words[end].text] * number, end + 1
+
+
+def _steps(words: Sequence[Word], at: int) -> tuple[int, int] | None:
+    """Read ``one floor``, ``two flights of stairs``, ``another level``, ``the next floor``, ``the floor``."""
+    place = at
+    number = number_at(words, place)
+    if number is not None:
+        place += 1
+    else:
+        number = 1
+        while text_at(words, place) in ("a", "an", "another", "the", "next", "single"):
+            place += 1
+    if text_at(words, place) not in _STEPS or place == at:
+        return None
+    place += 1
+    place += 2 * (text_at(words, place) == "of" and text_at(words, place + 1) in ("stair", "stairs"))
+    return number, place

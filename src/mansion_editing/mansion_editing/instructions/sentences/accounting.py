@@ -1,8 +1,4 @@
-"""Words of an instruction that no statement accounts for: numbers, negations, quantifiers, nouns, colours.
-
-A reader that takes a clause for another one leaves words out. What was read is compared with the words that it was read
-from, so that such a clause is named to the user rather than carried out as something else.
-"""
+"""What of an instruction no statement carries out: numbers, negations, nouns, colours, and tableware for each chair."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -38,7 +34,7 @@ from mansion_editing.instructions.statements import (
 )
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["unaccounted"]
+__all__ = ["laid_on_seats", "unaccounted"]
 
 _NEGATIONS: Final = frozenset("not no never neither nor none without".split())
 _DENYING: Final = (Remove, Clear, Forbid, Keep, SetState, Ask, Reach, Swap, Replace)
@@ -221,3 +217,24 @@ def _told(group: Sequence[Statement]) -> _Told:
     for statement in group:
         note("", statement)
     return _Told(frozenset(words), frozenset(numbers), frozenset(kinds), frozenset(flags))
+
+
+_TABLEWARE: Final = frozenset("plate fork knife spoon glass bowl cup mug napkin saucer placemat cutlery".split())
+_FOR_EACH: Final = re.compile(r"\b(for (each|every|all)|per) ", re.IGNORECASE)
+_SEATS: Final = frozenset("chair stool seat armchair bench".split())
+
+
+def laid_on_seats(statements: Sequence[Statement]) -> list[str]:
+    """Return the words by which tableware would come onto seats: which table is meant is not told."""
+    return [
+        one.quote
+        for one in statements
+        if isinstance(one, Add | Ensure)
+        and one.place.anchor is not None
+        and one.place.anchor.each
+        and _FOR_EACH.search(one.quote)
+        and one.things.noun.split()[-1:] != []
+        and one.things.noun.split()[-1] in _TABLEWARE
+        and one.place.anchor.noun.split()[-1:] != []
+        and one.place.anchor.noun.split()[-1] in _SEATS
+    ]

@@ -5,6 +5,7 @@ They name nothing of the building, or have a subject that is no part of it, and 
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import takewhile
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
@@ -25,10 +26,9 @@ from mansion_editing.instructions.phrases.words import (
     Word,
 )
 from mansion_editing.instructions.sentences.bystanding import tells_what_becomes
-from mansion_editing.instructions.sentences.head_counts import counts_people
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["is_circumstance"]
+__all__ = ["counts_people", "is_circumstance"]
 
 _OBLIGING: Final = frozenset(
     "should must shall ought would might please let supposed rather insist suggest recommend propose beg urge".split()
@@ -310,3 +310,33 @@ def _names_here(subject: Sequence[Word], lexicon: Lexicon) -> bool:
         and (lexicon.is_here(word.text) or lexicon.is_own_room((word.text,)) or word.text in HYPERNYMS | {"floor"})
         for word in head
     )
+
+
+_WHO: Final = frozenset("we you us".split())
+_BEFORE: Final = BE | ADVERBS | frozenset("there already about roughly around will".split())
+"""Words between a subject and its number."""
+
+_ASKING: Final = frozenset(
+    "short too missing more less fewer without enough no not none instead only another each per all both".split()
+)
+"""Words that tell of a number that shall be another one: ``we're two short``."""
+
+
+def counts_people(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a clause says of people how many they are, where and when, and nothing of any thing."""
+    at = next((k for k, word in enumerate(words) if word.kind == "number"), len(words))
+    if at == len(words) or any(word.kind != "word" for word in [*words[:at], *words[at + 1 :]]):
+        return False
+    said = [word.text for word in words[:at] if word.text not in _BEFORE]
+    being = any(word.text in BE or word.raw.endswith(("'re", "'ll")) for word in words[:at])
+    rest = list(words[at + 1 :])
+    of_them = rest[:1] != [] and rest[0].text == "of" and rest[1:2] != [] and rest[1].text in _WHO
+    rest = rest[2:] if of_them else rest
+    people = list(takewhile(lambda word: word.text in PEOPLE | PERSONS | {"people"}, rest))
+    rest = rest[len(people) :]
+    named = of_them or (bool(people) and "there" in {word.text for word in words[:at]})
+    if not being or not (said in (["we"], ["you"]) or (said == [] and named)):
+        return False
+    follows = not rest or rest[0].text in PREPOSITIONS | ADVERBS
+    telling = not {word.text for word in rest} & (_ASKING | MODALS)
+    return follows and telling and not any(lexicon.is_object((word.text,)) for word in rest)

@@ -17,14 +17,22 @@ from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import PRINTED, TOPICS
 from mansion_editing.instructions.phrases.words import MODALS, STATE_WORDS, UNRECORDED, Word
-from mansion_editing.instructions.sentences.accounting import unaccounted
+from mansion_editing.instructions.sentences.accounting import laid_on_seats, unaccounted
+from mansion_editing.instructions.sentences.antecedents import (
+    about_its_room,
+    brought_together,
+    owners_named,
+    painted_rooms,
+    with_former_places,
+    with_states_of_each,
+    with_those_taken,
+)
 from mansion_editing.instructions.sentences.asides import Asides
 from mansion_editing.instructions.sentences.background import is_background, is_told, split_sentences
 from mansion_editing.instructions.sentences.clearing import with_takings_first
 from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, else_at
 from mansion_editing.instructions.sentences.correcting import Correcting
 from mansion_editing.instructions.sentences.depending import Depending
-from mansion_editing.instructions.sentences.former_places import with_former_places
 from mansion_editing.instructions.sentences.gathering import Gathering
 from mansion_editing.instructions.sentences.headings import Headings
 from mansion_editing.instructions.sentences.lacking_some import LackingSome
@@ -36,8 +44,6 @@ from mansion_editing.instructions.sentences.old_ones import (
     with_old_ones_first,
     with_replacements,
 )
-from mansion_editing.instructions.sentences.owners import owners_named
-from mansion_editing.instructions.sentences.painted_rooms import painted_rooms
 from mansion_editing.instructions.sentences.questions import further_question, read_question
 from mansion_editing.instructions.sentences.recounting import Recounting
 from mansion_editing.instructions.sentences.referring import Referring
@@ -58,12 +64,7 @@ from mansion_editing.instructions.sentences.refinement import (
 )
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.scene_setting import SceneSetting
-from mansion_editing.instructions.sentences.seats import laid_on_seats
-from mansion_editing.instructions.sentences.selecting import with_those_taken
-from mansion_editing.instructions.sentences.states_of_each import with_states_of_each
 from mansion_editing.instructions.sentences.telling import Telling
-from mansion_editing.instructions.sentences.together import brought_together
-from mansion_editing.instructions.sentences.topics import about_its_room
 from mansion_editing.instructions.statements import (
     Add,
     Ensure,

@@ -9,14 +9,13 @@ from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.words import PLURAL_PRONOUNS, SENTENCE_ENDS
 from mansion_editing.instructions.syntax.appositions import without_appositions
 from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
-from mansion_editing.instructions.syntax.list_colons import without_list_colons
-from mansion_editing.instructions.syntax.made_numbers import made_number, with_number_made
+from mansion_editing.instructions.syntax.marks import without_list_colons
 from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in, taken_up
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
+from mansion_editing.instructions.syntax.numbers import made_number, with_number_made, with_room_numbers
 from mansion_editing.instructions.syntax.pairs.joining import with_pairs_joined
 from mansion_editing.instructions.syntax.plain_requests import plainly_asked
 from mansion_editing.instructions.syntax.requests import is_person, names_something, only_tells
-from mansion_editing.instructions.syntax.room_numbers import with_room_numbers
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
 from mansion_editing.instructions.syntax.wished_states import with_wished_states
 from mansion_language.colours import COLOUR_WORDS

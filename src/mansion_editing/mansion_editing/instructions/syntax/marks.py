@@ -1,12 +1,14 @@
-"""Arrows of notes, which say what goes where: ``mug from the sink -> shelf``, ``lemons: pantry -> kitchen``."""
+"""Marks of notes: arrows, ``mug from the sink -> shelf``, and colons before lists, ``on each I need: lamp, mug``."""
 
 import re
+from collections.abc import Sequence
 from typing import Final
 
 from mansion_editing.instructions.phrases.words import DETERMINERS, STATE_WORDS
+from mansion_editing.instructions.syntax.tagged_words import TaggedWord
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["without_arrows"]
+__all__ = ["without_arrows", "without_list_colons"]
 
 _NOTE: Final = re.compile(
     r"(?:^|(?<=[.;!?,\n] ))(?P<thing>[^.;!?,:\n]+?)(?:(?: from| off|:) (?P<source>[^.;!?,\n]+?))? (?:->|=>|→|-->) "
@@ -58,3 +60,19 @@ def _known(name: str) -> str:
     said = name.split()
     bare = said[0].lower() not in DETERMINERS and not said[0][0].isdigit()
     return f"the {name[0].lower()}{name[1:]}" if bare else name
+
+
+_TAKING_LISTS: Final = frozenset("need want like have get require add put bring remove take add".split())
+
+
+def without_list_colons(words: Sequence[TaggedWord]) -> list[TaggedWord]:
+    """Return words without the colons that part a verb from its objects."""
+    return [
+        word
+        for at, word in enumerate(words)
+        if not (word.text == ":" and at and _takes_list(words, at - 1) and at + 1 < len(words))
+    ]
+
+
+def _takes_list(words: Sequence[TaggedWord], at: int) -> bool:
+    return words[at].verb in _TAKING_LISTS or (words[at].tag == "have" and words[at].text != "having")

@@ -1,4 +1,4 @@
-"""Numbers of rooms in figures: ``corridor 4`` for ``corridor four``, and ``in`` a corridor for ``along`` it."""
+"""Numbers in instructions: ``make it two`` as an order, ``in corridor 4`` for ``along corridor four``."""
 
 import re
 from collections.abc import Sequence
@@ -6,12 +6,41 @@ from dataclasses import replace
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.syntax.mentions import Mentioned
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
-from mansion_language.inflection import singular
+from mansion_language.inflection import plural, singular
 from mansion_language.numbers import CARDINALS
 
-__all__ = ["with_room_numbers"]
+__all__ = ["made_number", "with_number_made", "with_room_numbers"]
+
+_MAKING: Final = frozenset("make bring raise get increase reduce lower cut take keep limit".split())
+_IT: Final = frozenset("it that them these those each both all of up down to number the at".split())
+
+
+def made_number(words: Sequence[TaggedWord]) -> TaggedWord | None:
+    """Return the number that an order gives to what was told of before; None for other clauses."""
+    said = [word for word in words if word.tag not in ("adverb", "interjection", "mark")]
+    if len(said) < 3 or said[0].verb not in _MAKING or said[-1].tag != "number":
+        return None
+    return said[-1] if all(word.text in _IT for word in said[1:-1]) else None
+
+
+def with_number_made(
+    number: TaggedWord, things: Sequence[Mentioned], words: Sequence[TaggedWord], room: str
+) -> list[TaggedWord]:
+    """Return ``there should be exactly two monitors in the hall`` for ``make it two``; empty without things told of."""
+    if not things:
+        return []
+    many = number.text not in ("one", "1")
+    nouns = [plural(singular(one.noun)) if many else singular(one.noun) for one in things]
+    named = [f"{number.text} {noun}" for noun in nouns]
+    told = next((joined(words[one.end : one.stop]) for one in things if one.stop > one.end), "")
+    place = told or (f"in {room}" if room else "")
+    listed = f"{', '.join(named[:-1])} and {named[-1]}" if len(named) > 1 else named[0]
+    order = f"there should be exactly {listed} {place}".strip()
+    return [replace(number, text="there", raw=order, tag="there")]
+
 
 _NUMBERED: Final = re.compile(r"\b(along|throughout|two|three|four|five|six|seven|eight|nine|ten)\b", re.IGNORECASE)
 _ALONG: Final = frozenset(["along", "throughout"])

@@ -2,7 +2,7 @@
 
 import pytest
 
-from mansion_editing.instructions.syntax.arrows import without_arrows
+from mansion_editing.instructions.syntax.marks import without_arrows
 
 
 @pytest.mark.parametrize(
