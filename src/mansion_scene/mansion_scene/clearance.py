@@ -1,19 +1,23 @@
-"""Removal of wall objects that obstruct doorways or the paths to doors and furniture."""
+"""Clear floor: what is left around what stands in a room, and wall objects removed that obstruct doorways or paths."""
 
 from collections.abc import Sequence
+from typing import Final
 
+import msgspec
 import shapely
 from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from mansion_geometry.floor_regions import disc_positions, largest_first
 from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, oblique_margin
+from mansion_geometry.rings import polygon_parts
 from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.placement import PlacementOpening
-from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.scene import SceneObject, SceneRoom
 from mansion_scene.structure.dimensions import DOOR_HEIGHT
+from mansion_scene.structure.regions import ring_points
 
-__all__ = ["clear_of_ways"]
+__all__ = ["clear_of_ways", "floor_around"]
 
 _DOORWAY = 0.8  # metres in front of a door that stay free
 _REACH = ROBOT_RADIUS + ROBOT_REACH  # from the robot's centre to what it approaches
@@ -93,3 +97,29 @@ def _reached(free: BaseGeometry, goals: Sequence[BaseGeometry]) -> list[bool]:
         return [False] * len(goals)
     largest = pieces[0]
     return [bool(near) for near in shapely.distance(largest, list(goals)) <= _REACH]
+
+
+_HEAD: Final = 2.2
+"""Height above which what hangs leaves furniture its place, metres."""
+
+_GAP: Final = 0.005
+
+
+def floor_around(room: SceneRoom, standing: Sequence[SceneObject]) -> SceneRoom:
+    """Return a room whose net interior is the largest part of its floor that objects leave free."""
+    shapes = [footprint(item).buffer(_GAP, join_style="mitre") for item in standing if _takes_floor(item)]
+    if not shapes:
+        return room
+    free = Polygon(room.net_polygon, room.net_holes).difference(shapely.union_all(shapes))
+    parts = polygon_parts(free)
+    if not parts:
+        return room
+    largest = max(parts, key=lambda part: part.area)
+    return msgspec.structs.replace(
+        room, net_polygon=ring_points(largest.exterior), net_holes=[ring_points(hole) for hole in largest.interiors]
+    )
+
+
+def _takes_floor(item: SceneObject) -> bool:
+    low = item.bottom
+    return item.mount in ("floor", "wall") and item.size[2] > WALKABLE_HEIGHT and low < _HEAD

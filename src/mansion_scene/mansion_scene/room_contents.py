@@ -19,12 +19,11 @@ from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementR
 from mansion_msgs_py.program import Clutter, RequestedObject
 from mansion_msgs_py.scene import Discard, Door, SceneObject, SceneRoom, Wall, Window
 from mansion_msgs_py.shapes import Segment
-from mansion_scene.bedrooms import slept_in_as
-from mansion_scene.clearance import clear_of_ways
+from mansion_scene.clearance import clear_of_ways, floor_around
 from mansion_scene.decor import decorate_room, scene_object
-from mansion_scene.decor.clutter import with_clutter
 from mansion_scene.decor.frames import Ids
-from mansion_scene.essentials import essential_items, essential_requests, essentials_of, lacking, left_out
+from mansion_scene.decor.small_objects import with_clutter
+from mansion_scene.essentials import essential_items, essential_requests, essentials_of, lacking, left_out, slept_in_as
 from mansion_scene.placement import place_room
 from mansion_scene.requested_objects import (
     PART,
@@ -42,7 +41,6 @@ from mansion_scene.requested_objects import (
     within_reach,
     without_surplus_seats,
 )
-from mansion_scene.standing_objects import floor_around
 
 __all__ = ["FloorOpenings", "ItemChooser", "RoomFurnisher", "room_openings"]
 

@@ -1,10 +1,12 @@
-"""Names of storeys in other countries, each by the storey that it means (the ground floor is 1)."""
+"""Names of storeys in other countries, tables of storeys and added storeys (the ground floor is 1)."""
 
 import pytest
 
 from mansion_knowledge import default_knowledge
+from mansion_language import tokenize
+from mansion_planner.brief import read_brief
 from mansion_planner.brief.facts import BriefFacts
-from mansion_planner.brief.reader import read_brief
+from mansion_planner.brief.storey_forms import storey_tables
 
 
 def read(brief: str) -> BriefFacts:
@@ -99,3 +101,48 @@ def test_a_described_basement_takes_none_of_the_rooms_before_it() -> None:
     )
     assert [quantity.value for quantity in facts.basements] == [1.0]
     assert {fact.name: bool(fact.floors) for fact in facts.rooms}["bedroom"] is False
+
+
+FLOOR_WORDS = frozenset({"storey", "floor", "level"})
+
+
+def rewritten(table: str) -> list[str]:
+    """Return the lines of a table as they are read."""
+    words = [token.text for token in storey_tables(tokenize(table), FLOOR_WORDS)]
+    return [line.strip() for line in " ".join(words).split("\n")]
+
+
+@pytest.mark.parametrize("rule", ["", "|---|---|\n"])
+def test_a_row_is_headed_by_its_storey(rule: str) -> None:
+    table = (
+        f"An office.\n| storey | what |\n{rule}| 1 (street) | lobby, cafe |\n| 2 | open office | 3 desks |\nOne lift."
+    )
+    lines = [line for line in rewritten(table) if line]
+    assert lines == ["an office .", "1 : lobby , cafe", "2 : open office , 3 desk", "one lift ."]
+
+
+def test_a_storey_may_have_a_name() -> None:
+    assert "ground floor : lobby" in rewritten("| floor | rooms |\n| ground floor | lobby |")
+
+
+def test_other_tables_stay_as_they_are() -> None:
+    table = "| room | m2 |\n| kitchen | 12 |"
+    assert [token.text for token in storey_tables(tokenize(table), FLOOR_WORDS)] == [t.text for t in tokenize(table)]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "one storey plus a mezzanine-like second storey",
+        "one storey and a second floor",
+        "one level with an additional level",
+        "one floor plus an upper floor",
+        "a single storey plus one extra storey",
+    ],
+)
+def test_there_are_two(words: str) -> None:
+    assert [quantity.value for quantity in read(f"A car dealership, {words} for the offices.").floors] == [2.0]
+
+
+def test_one_storey_stays_one() -> None:
+    assert [quantity.value for quantity in read("A shop on one storey with a store.").floors] == [1.0]

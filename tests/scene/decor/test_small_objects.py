@@ -1,7 +1,9 @@
-"""Small rectangles on a surface: apart from each other, and below what hangs over it."""
+"""Small rectangles on a surface lie apart and below what hangs over it; clutter tells how many there are."""
 
-from mansion_assets.catalogue import Surface
-from mansion_scene.decor.small_objects import Shelf, spot_of
+from itertools import pairwise
+
+from mansion_assets.catalogue import Surface, load_catalogue
+from mansion_scene.decor.small_objects import Shelf, spot_of, with_clutter
 
 
 def shelf() -> Shelf:
@@ -28,3 +30,19 @@ def test_nothing_reaches_beyond_the_edge_or_the_clearance() -> None:
     assert board.place_at((0.2, 0.2, 0.1), 0.41, 0.0, 0.0) is None
     assert board.place_at((0.2, 0.2, 1.0), 0.0, 0.0, 0.0) is None
     assert board.place_at((0.2, 0.2, 0.1), 0.4, 0.0, 0.0) is not None
+
+
+def test_what_is_always_there_and_place_settings_stay() -> None:
+    for arrangement in load_catalogue().arrangements.values():
+        for clutter in ("sparse", "dense"):
+            (other,) = with_clutter([arrangement], clutter)
+            assert other.seats == arrangement.seats
+            sure = [slot for slot in arrangement.slots if slot.p == 1.0]
+            assert all(slot in other.slots for slot in sure)
+
+
+def test_scattered_things_are_fewer_usual_and_more() -> None:
+    for arrangement in load_catalogue().arrangements.values():
+        levels = [with_clutter([arrangement], "sparse")[0], arrangement, with_clutter([arrangement], "dense")[0]]
+        amounts = [sum(s.p * (s.min + s.max) / 2 for s in level.scatter) for level in levels]
+        assert all(few <= more for few, more in pairwise(amounts)), arrangement.name

@@ -7,8 +7,7 @@ from typing import Final
 from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.integrity import check_counts, check_files, check_identity, check_maps
-from mansion_bringup.check.lights import check_lights
-from mansion_bringup.check.objects import check_objects
+from mansion_bringup.check.objects import check_lights, check_objects
 from mansion_bringup.check.openings import check_openings
 from mansion_bringup.check.reach import check_reach
 from mansion_bringup.check.request import check_request

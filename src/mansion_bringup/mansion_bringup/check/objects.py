@@ -1,17 +1,17 @@
-"""Checks that every object is in its room, overlaps no other and rests on what carries it."""
+"""Checks that objects are in their rooms, overlap no other and rest on what carries them, and where lamps are."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
-from shapely import LineString, Polygon, STRtree, prepare
+from shapely import LineString, Point, Polygon, STRtree, prepare
 
 from mansion_bringup.check.fault import Fault
-from mansion_bringup.check.shapes import net_area, vertical
+from mansion_bringup.check.shapes import net_area, room_area, vertical
 from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
 from mansion_geometry.wall_sizes import DOOR_HEAD, doorway_depth
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 
-__all__ = ["carriers", "check_objects"]
+__all__ = ["carriers", "check_lights", "check_objects"]
 
 Placed: TypeAlias = tuple[SceneObject, Polygon]
 """An object and its footprint."""
@@ -128,3 +128,25 @@ def _before_doors(scene: FloorScene, placed: Sequence[Placed]) -> Iterator[Fault
             near = item.room in door.rooms
             if near and area.intersection(shape).area > AREA_SLACK:
                 yield Fault("DOOR_BLOCKED", door.id, f"{item.id} stands in front of it")
+
+
+BESIDE: Final = 0.3
+"""Metres by which a lamp may lie off its room: on the face of a wall, say."""
+
+
+def check_lights(scene: FloorScene) -> Iterator[Fault]:
+    """Yield lamps that are not in their rooms; the sun is nowhere in particular."""
+    rooms = {room.id: room for room in scene.rooms}
+    outline = Polygon(scene.outline, scene.holes)
+    for light in scene.lights:
+        if light.kind == "directional":
+            continue
+        x, y, z = light.position
+        room = rooms.get(light.room or "")
+        if light.room is not None and room is None:
+            yield Fault("LIGHT_ROOM", light.id, f"is in {light.room!r}, which does not exist")
+            continue
+        place = outline if room is None else room_area(room)
+        ceiling = scene.height if room is None else room.ceiling_height
+        if place.distance(Point(x, y)) > BESIDE or not -BESIDE <= z <= ceiling + BESIDE:
+            yield Fault("LIGHT_OUTSIDE", light.id, f"is outside {light.room or 'the building'}")

@@ -1,6 +1,6 @@
-"""A building as IFC4: project, site, building, storeys and spaces, and what stands in them."""
+"""A building as IFC4: project, site, building, storeys and spaces, stairs and lifts, and what stands in them."""
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from typing import Final
 
 from shapely import union_all
@@ -11,16 +11,16 @@ from mansion_export.exterior import roof_parts
 from mansion_export.ifc.document import Document, Entity
 from mansion_export.ifc.frames import FLOOR, Frame
 from mansion_export.ifc.furnishing import Furnishing
-from mansion_export.ifc.transport import add_cores
 from mansion_export.ifc.walls import add_walls
 from mansion_export.meshes.building_model import slab_polygon
+from mansion_export.meshes.core_meshes import core_parts
 from mansion_export.meshes.materials import named
 from mansion_export.presentation import building_title, floor_name, room_title
 from mansion_geometry.rings import polygon_parts
 from mansion_knowledge import is_class
-from mansion_msgs_py.scene import FloorScene, SceneCore, SceneRoom
+from mansion_msgs_py.scene import FloorScene, SceneCore, SceneRoom, StairDetails
 
-__all__ = ["building_ifc", "ifc_files"]
+__all__ = ["add_cores", "building_ifc", "ifc_files"]
 
 _CORES: Final = {"stair": ("Stairs", "stairs"), "elevator": ("Lift", "elevator")}
 """Name and type of the spaces of cores, as `mansion build --plan` reads them."""
@@ -198,3 +198,50 @@ def _add_slabs(document: Document, storey: Entity, scene: FloorScene, above: Flo
             Representation=document.shape(document.meshes(node, surfaces, FLOOR), "Tessellation"),
         )
         document.contain(storey, roof)
+
+
+_FORMS: Final = {"dog_leg": "HALF_TURN_STAIR"}
+"""Stair types of IFC by the form of a stair."""
+
+_SHAFT: Final = 0.2
+"""Metres between a shaft's polygon and a cabin of which nothing else is known."""
+
+_CABIN: Final = 2.3
+
+
+def add_cores(document: Document, storey: Entity, scene: FloorScene, cabins: Set[str]) -> None:
+    """Add the flights that leave a floor upwards, and the lifts whose cabin stands there."""
+    meshes = {node.id: (node, surfaces) for node, surfaces in core_parts(scene, frozenset(cabins))}
+    for core in scene.cores:
+        items, kind = [], "Tessellation"
+        if core.id in meshes:
+            items = document.meshes(*meshes[core.id], FLOOR)
+        if core.type == "stair" and items and isinstance(core.details, StairDetails):
+            _add(document, storey, scene, core, "IfcStair", _FORMS.get(core.details.form, "NOTDEFINED"), items, kind)
+        elif core.type == "elevator" and core.id in cabins:
+            if not items:
+                inner = Polygon(core.polygon).buffer(-_SHAFT, join_style="mitre")
+                items, kind = [document.prism(inner, 0.0, _CABIN)], "SweptSolid"
+            _add(document, storey, scene, core, "IfcTransportElement", "ELEVATOR", items, kind)
+
+
+def _add(
+    document: Document,
+    storey: Entity,
+    scene: FloorScene,
+    core: SceneCore,
+    entity: str,
+    predefined: str,
+    items: list[Entity],
+    kind: str,
+) -> None:
+    made = document.root(
+        entity,
+        f"floor_{scene.floor}/{core.id}",
+        Name=core.id,
+        Tag=core.id,
+        ObjectPlacement=document.placement(FLOOR, storey.ObjectPlacement),
+        Representation=document.shape(items, kind),
+        PredefinedType=predefined,
+    )
+    document.contain(storey, made)

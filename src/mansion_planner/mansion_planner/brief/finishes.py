@@ -1,14 +1,17 @@
-"""Read what a brief says of style and materials."""
+"""Read what a brief says of style, materials, and how high ceilings are to be."""
 
+import itertools
+
+from mansion_language.units import LENGTH
 from mansion_planner.brief.corrections import taken_back_by
-from mansion_planner.brief.facts import MaterialFact
+from mansion_planner.brief.facts import HeightFact, MaterialFact
 from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.phrase import FUNCTION_WORDS
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.similarity import room_of_building
 
-__all__ = ["read_materials", "read_style", "room_after"]
+__all__ = ["read_heights", "read_materials", "read_style", "room_after"]
 
 _MATERIALS = (
     "oak",
@@ -263,3 +266,29 @@ def room_after(reading: Reading, index: int) -> str:
         if reading.breaks(at) or reading.word(at) == ",":
             break
     return ""
+
+
+def read_heights(reading: Reading) -> None:
+    """Read "ceilings 5 m high", "a ceiling height of 3.5 m in the hall", "4.5 m ceiling"."""
+    for index, token in enumerate(reading.tokens):
+        if token.text not in ("ceiling", "headroom") or index in reading.taken:
+            continue
+        number = _height_near(reading, index)
+        if number is None:
+            continue
+        height = reading.value(number) * LENGTH[reading.word(number + 1)]
+        first, last = min(index, number), max(index + 1, number + 2)
+        last += reading.word(last) in ("high", "height")
+        room = room_after(reading, last + 1) if reading.word(last) in ("in", "for") else ""
+        reading.facts.heights.append(HeightFact(height, room, reading.span(first, last)))
+        reading.take(first, last)
+
+
+def _height_near(reading: Reading, index: int) -> int | None:
+    """Return the number of metres or feet that is said of a ceiling: after it in its sentence, else before it."""
+    after = itertools.takewhile(lambda number: not reading.breaks(number), range(index + 1, index + 7))
+    for number in (*after, *range(index - 1, index - 5, -1)):
+        if reading.kind(number) == "number" and reading.word(number + 1) in LENGTH and number not in reading.taken:
+            height = reading.value(number) * LENGTH[reading.word(number + 1)]
+            return number if 1.8 <= height <= 30 else None
+    return None

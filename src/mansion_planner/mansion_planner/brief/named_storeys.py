@@ -4,7 +4,7 @@ from mansion_planner.brief.cellars import keeps_goods
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.storey_counts import CLOSERS, UPSTAIRS
-from mansion_planner.brief.whole_storeys import HOLDING_ROOMS
+from mansion_planner.brief.storey_kinds import HOLDING_ROOMS
 
 __all__ = ["COPULAS", "TOPS", "NamedStoreys"]
 

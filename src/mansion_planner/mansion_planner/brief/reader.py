@@ -16,7 +16,6 @@ from mansion_planner.brief.all_but_some import place_all_others, place_some, rea
 from mansion_planner.brief.area_words import Measure
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
-from mansion_planner.brief.blocks import with_blocks
 from mansion_planner.brief.building import (
     building_phrase,
     is_asked_for,
@@ -29,7 +28,6 @@ from mansion_planner.brief.building_shape import give_rooms_to_copies, read_copi
 from mansion_planner.brief.changed_copies import find_changed_copies, read_changed_copies
 from mansion_planner.brief.clutter import read_clutter_words, read_things_about
 from mansion_planner.brief.coreference import coreferences
-from mansion_planner.brief.desk_areas import read_desk_areas
 from mansion_planner.brief.distant_counts import (
     read_counts_by_group,
     read_counts_by_person,
@@ -39,13 +37,12 @@ from mansion_planner.brief.distant_counts import (
     read_late_counts,
     without_totals,
 )
+from mansion_planner.brief.en_suite import with_bathrooms_by_name, with_some_en_suite
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import BriefFacts, Span
-from mansion_planner.brief.finishes import read_materials, read_style
+from mansion_planner.brief.finishes import read_heights, read_materials, read_style
 from mansion_planner.brief.fittings import leave_out_containers, read_fittings
-from mansion_planner.brief.flat_upstairs import give_rooms_to_flat
 from mansion_planner.brief.furnishings import read_furnishings
-from mansion_planner.brief.heights import read_heights
 from mansion_planner.brief.households import read_households
 from mansion_planner.brief.later_mentions import (
     elsewhere_by_another_word,
@@ -66,27 +63,23 @@ from mansion_planner.brief.relation_facts import state_relations
 from mansion_planner.brief.relations import read_relations
 from mansion_planner.brief.retractions import without_retractions, without_taken_back
 from mansion_planner.brief.room_facts import RoomStatements
+from mansion_planner.brief.room_groups import read_desk_areas, with_blocks
 from mansion_planner.brief.room_names import told_by_its_words
 from mansion_planner.brief.rooms_by_building import room_for_building
-from mansion_planner.brief.rooms_en_suite import with_bathrooms_by_name
+from mansion_planner.brief.sanitary_rooms import by_what_else_is_named, read_washing_fittings
 from mansion_planner.brief.shared_places import read_shares
 from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses
 from mansion_planner.brief.shared_sizes import with_shared_sizes
 from mansion_planner.brief.sizes import sized
-from mansion_planner.brief.some_en_suite import with_some_en_suite
-from mansion_planner.brief.stacked_uses import read_stacking
 from mansion_planner.brief.storey_attachment import Attachment
-from mansion_planner.brief.storey_uses import read_storey_uses
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.told_by_size import told_by_size
-from mansion_planner.brief.trades import read_trade
-from mansion_planner.brief.unit_storeys import attach_units
+from mansion_planner.brief.unit_storeys import attach_units, give_rooms_to_flat
 from mansion_planner.brief.units import are_units, flats_that_open, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
+from mansion_planner.brief.uses import read_stacking, read_storey_uses, read_trade
 from mansion_planner.brief.vertical_facts import read_stairs_and_lifts
-from mansion_planner.brief.washing_and_resting import by_what_else_is_named
-from mansion_planner.brief.washing_fittings import read_washing_fittings
 
 __all__ = ["read_brief"]
 

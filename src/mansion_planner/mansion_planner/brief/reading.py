@@ -7,9 +7,8 @@ from mansion_knowledge import KnowledgeBase
 from mansion_language import Token, tokenize
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.activities import activities, entrances
-from mansion_planner.brief.added_storeys import added_storeys
 from mansion_planner.brief.alternatives import chosen
-from mansion_planner.brief.children_groups import children_groups
+from mansion_planner.brief.building_capacities import children_groups, garages
 from mansion_planner.brief.conversions import without_conversions
 from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
@@ -17,7 +16,6 @@ from mansion_planner.brief.counted_compounds import BUILDING_HEADS, counted_comp
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
-from mansion_planner.brief.garages import garages
 from mansion_planner.brief.glosses import without_glosses
 from mansion_planner.brief.kinds_of_rooms import kinds_of_rooms
 from mansion_planner.brief.labelled_rooms import labelled_rooms
@@ -35,8 +33,7 @@ from mansion_planner.brief.single_floors import single_flats, single_floors
 from mansion_planner.brief.spelling import corrected, without_slips
 from mansion_planner.brief.spoken_turns import spoken_turns
 from mansion_planner.brief.stacked_flats import stacked_flats
-from mansion_planner.brief.storey_forms import storey_forms
-from mansion_planner.brief.storey_tables import storey_tables
+from mansion_planner.brief.storey_forms import added_storeys, storey_forms, storey_tables
 from mansion_planner.brief.storeys_by_use import storeys_by_use
 from mansion_planner.brief.storeys_in_order import storeys_in_order
 from mansion_planner.brief.token_forms import (

@@ -7,8 +7,7 @@ from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
-from mansion_planner.brief.storeys_below import storeys_below
-from mansion_planner.brief.whole_storeys import all_on_one, attic_above
+from mansion_planner.brief.storey_kinds import all_on_one, attic_above, storeys_below
 
 __all__ = [
     "ANAPHORS",

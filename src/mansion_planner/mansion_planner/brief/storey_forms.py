@@ -1,15 +1,12 @@
-"""Bring the names that storeys have in other countries into one form: "EG", "1. OG", "RDC", "R+1", "térreo", "2/F".
-
-A storey counted from the ground floor becomes one token of kind ``level`` with the text `ABOVE_GROUND`, whose value is
-the number of storeys below it; the ground floor has 0.
-"""
+"""Bring storeys into one form: names of other countries, "1. OG", "RDC", "R+1", tables, and one told beside another."""
 
 from collections.abc import Callable
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from mansion_language import Token
 
-__all__ = ["ABOVE_GROUND", "storey_forms"]
+__all__ = ["ABOVE_GROUND", "added_storeys", "storey_forms", "storey_tables"]
 
 ABOVE_GROUND = "above_ground"
 
@@ -326,3 +323,105 @@ def _with_ranges(text: str, tokens: list[Token]) -> list[Token]:
             result[-1] = replace(result[-1], text="to")
         result.append(token)
     return result
+
+
+def storey_tables(tokens: list[Token], floor_words: frozenset[str]) -> list[Token]:
+    """Return the tokens with the rows of a table of storeys as headed lines.
+
+    The table is one in the manner of Markdown whose header begins with a word for storeys. The header and the line of
+    dashes below it are left out.
+    """
+    result: list[Token] = []
+    in_table = False
+    for line in _lines(tokens):
+        if not line or line[0].text != "|":
+            in_table = in_table and not line
+            result += line
+        elif _is_header(line, floor_words):
+            in_table = True
+        elif in_table:
+            result += _headed(line)
+        else:
+            result += line
+    return result
+
+
+def _lines(tokens: list[Token]) -> list[list[Token]]:
+    """Return the tokens line by line, each line with the break that ends it."""
+    lines: list[list[Token]] = [[]]
+    for token in tokens:
+        lines[-1].append(token)
+        if token.text == "\n":
+            lines.append([])
+    return lines
+
+
+def _is_header(line: list[Token], floor_words: frozenset[str]) -> bool:
+    return len(line) > 2 and line[1].text in floor_words and line[2].text == "|"
+
+
+def _headed(line: list[Token]) -> list[Token]:
+    """Return a row as "first cell: other cells", without what its first cell has in brackets after a number."""
+    ends = line[-1:] if line[-1].text == "\n" else []
+    cells = line[1 : len(line) - len(ends)]
+    if cells and cells[-1].text == "|":
+        cells = cells[:-1]
+    bar = next((at for at, token in enumerate(cells) if token.text == "|"), None)
+    if bar is None or all(token.kind == "mark" for token in cells):
+        return ends
+    head = cells[:bar]
+    if head and head[0].kind == "number":
+        head = head[:1]
+    rest = [replace(token, text=",") if token.text == "|" else token for token in cells[bar + 1 :]]
+    return [*head, replace(cells[bar], text=":"), *rest, *ends]
+
+
+_JOINTS = frozenset({"plus", "and", "+", "with"})
+_ARTICLES = frozenset({"a", "an", "one"})
+_FURTHER = frozenset({"second", "upper", "further", "additional", "extra"})
+_WORDS_BETWEEN = 4
+
+
+def added_storeys(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Return the tokens with one storey and a second one as two storeys."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        end = _end(tokens, index, floor_words) or _attic_end(tokens, index, floor_words)
+        if end:
+            start, last = tokens[index].start, tokens[end - 1].end
+            result.append(Token("number", "two", start, last, 2.0))
+            result.append(Token("word", "storey", start, last, plural=True))
+        else:
+            result.append(tokens[index])
+        index = end or index + 1
+    return result
+
+
+_ATTICS = frozenset({"attic", "loft"})
+
+
+def _attic_end(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> int:
+    """Return the token after "ground floor plus attic" where no number of storeys is told; else 0."""
+    texts = [token.text for token in tokens[index : index + 6]]
+    if len(texts) < 4 or texts[0] != "ground" or texts[1] not in floor_words or texts[2] not in _JOINTS:
+        return 0
+    attic = 3 + (texts[3] in ("a", "an", "the"))
+    counted = any(token.kind == "number" and tokens[at + 1].text in floor_words for at, token in enumerate(tokens[:-1]))
+    if texts[attic : attic + 1] == [] or texts[attic] not in _ATTICS or counted:
+        return 0
+    return index + attic + 1 + (texts[attic + 1 : attic + 2] != [] and texts[attic + 1] in floor_words)
+
+
+def _end(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> int:
+    """Return the token after "one storey plus a second storey" at a token; 0 where that is not told."""
+    texts = [token.text for token in tokens[index : index + 5 + _WORDS_BETWEEN + 1]]
+    one = tokens[index].kind == "number" and tokens[index].value == 1
+    if not one or len(texts) < 5 or texts[1] not in floor_words or texts[2] not in _JOINTS:
+        return 0
+    article = 3 + (texts[3] == "with")
+    if texts[article] not in _ARTICLES:
+        return 0
+    noun = next((at for at in range(article + 1, len(texts)) if texts[at] in floor_words), 0)
+    further = not _FURTHER.isdisjoint(texts[article + 1 : noun])
+    return index + noun + 1 if noun and further and not tokens[index + noun].plural else 0

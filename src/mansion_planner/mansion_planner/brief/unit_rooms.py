@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from mansion_planner.brief.en_suite import bathroom_of_some
 from mansion_planner.brief.persons import is_person
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
-from mansion_planner.brief.some_en_suite import bathroom_of_some
 from mansion_planner.brief.units import Households
 
 __all__ = ["UnitRooms"]

@@ -1,16 +1,18 @@
-"""The room type that the name of a room on a plan means, and whether it is a stair or a lift."""
+"""The room type that a name on a plan means, in English or five other languages; and whether it is a stair or lift."""
 
 import re
 import unicodedata
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final
 
 from mansion_knowledge import KnowledgeBase, RoomType
 from mansion_language import tokenize
 from mansion_planner.brief.lexicon import lexicon_of
 from mansion_planner.brief.similarity import room_of_building, similar_room_type
-from mansion_planner.given_plan.other_languages import in_english
 
-__all__ = ["RoomKind", "core_kind", "room_kind", "slug"]
+__all__ = ["RoomKind", "core_kind", "in_english", "room_kind", "slug"]
 
 _SHAFT = "void"
 """What rooms that are cores are furnished like."""
@@ -104,3 +106,50 @@ def _known(words: str, knowledge: KnowledgeBase) -> str:
     ]
     ending = [room for last, room in rooms if last == len(tokens)]
     return (ending or [room for _, room in rooms] or [""])[0]
+
+
+_WORDS: Final[Mapping[str, str]] = MappingProxyType(
+    {
+        word: english
+        for english, words in {
+            "bathroom": "bad badezimmer duschbad salle_de_bain salle_de_bains salle_d_eau bano bagno badkamer",
+            "toilet": "toilettes gabinetto",
+            "kitchen": "kuche kueche wohnkuche wohnkueche cocina cucina keuken",
+            "living room": "wohnen wohnzimmer wohnraum stube sejour sala sala_de_estar soggiorno woonkamer",
+            "dining room": "essen esszimmer essplatz salle_a_manger comedor sala_da_pranzo eetkamer",
+            "bedroom": "schlafen schlafzimmer schlafraum elternschlafzimmer gaestezimmer chambre dormitorio "
+            "camera camera_da_letto slaapkamer",
+            "children's room": "kind kinderzimmer chambre_d_enfant",
+            "home office": "arbeiten arbeitszimmer",
+            "office": "buro buero bureau oficina ufficio kantoor",
+            "hallway": "flur diele korridor gang couloir degagement pasillo corridoio overloop",
+            "entrance hall": "eingang windfang vorraum entree recibidor ingresso hal",
+            "storage": "abstellraum abstellkammer keller kellerraum debarras rangement trastero ripostiglio berging",
+            "utility room": "hauswirtschaftsraum hwr buanderie lavadero lavanderia bijkeuken",
+            "technical room": "technik technikraum heizung heizraum hausanschlussraum local_technique",
+            "pantry": "speisekammer vorrat cellier dispensa",
+            "dressing room": "ankleide ankleidezimmer",
+            "meeting room": "besprechung besprechungsraum salle_de_reunion sala_riunioni vergaderruimte",
+            "terrace": "terrasse terraza terrazza terras",
+            "stairs": "treppe treppenhaus treppenraum escalier escalera escaleras scala trappenhuis",
+            "elevator": "aufzug fahrstuhl ascenseur ascensor ascensore",
+        }.items()
+        for word in words.split()
+    }
+)
+"""English by word, without accents, lower case, with underscores."""
+
+
+def in_english(name: str) -> str:
+    """Return the English of the words that a room's name begins with, else of those that it ends with; else empty.
+
+    Examples
+    --------
+    >>> in_english("schlafzimmer_2"), in_english("salle_de_bain"), in_english("1_og_flur"), in_english("kitchen")
+    ('bedroom', 'bathroom', 'hallway', '')
+    """
+    parts = re.sub(r"^(\d+_)+|(_\d+)+$", "", name).split("_")
+    beginnings = (parts[:length] for length in range(len(parts), 0, -1))
+    endings = (parts[start:] for start in range(1, len(parts)))
+    found = (_WORDS.get("_".join(words), "") for words in (*beginnings, *endings))
+    return next(filter(None, found), "")

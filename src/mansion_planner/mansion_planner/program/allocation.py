@@ -8,6 +8,7 @@ from mansion_knowledge import KnowledgeBase, RoomEntry
 from mansion_msgs_py.program import TraceEntry
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.brief_checks import check_number
+from mansion_planner.program.building_size import tells_program
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
 from mansion_planner.program.household import FOR_VISITORS, private_types
@@ -17,7 +18,6 @@ from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_choice import floors_for, in_order, is_free_bathroom, number_of
 from mansion_planner.program.storeys import entries_of, floors_of
-from mansion_planner.program.told_programs import tells_program
 
 __all__ = ["MANY", "Allocation", "allocate"]
 

@@ -11,12 +11,11 @@ from mansion_geometry.randomness import item_generator
 from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.program import Downgrade
 from mansion_planner.brief.facts import AdjacencyFact
+from mansion_planner.program.adjacency import behind_staff_rooms, entered_as_told, pairs_used_together
 from mansion_planner.program.aisle_sketch import aisle_massings, plan_price
 from mansion_planner.program.allocation import Allocation
-from mansion_planner.program.back_of_house import behind_staff_rooms
 from mansion_planner.program.blocks import needs_outer_wall
 from mansion_planner.program.decisions import Decisions
-from mansion_planner.program.dining_kitchens import with_kitchen
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
 from mansion_planner.program.foyers import foyer_length
 from mansion_planner.program.hall_sketch import most_fronts
@@ -50,9 +49,8 @@ from mansion_planner.program.plan_quality import (
     swollen_rooms,
 )
 from mansion_planner.program.public_toilets import TOILETS, Served, served_by, with_public_toilets
+from mansion_planner.program.required_rooms import for_sleepers, with_changing_rooms, with_kitchen
 from mansion_planner.program.setbacks import set_back
-from mansion_planner.program.shared_washrooms import for_sleepers
-from mansion_planner.program.sport_changing import with_changing_rooms
 from mansion_planner.program.storey_forms import capacity, form_of, sketched
 from mansion_planner.program.storey_rooms import (
     MOST_ROOMS,
@@ -64,8 +62,6 @@ from mansion_planner.program.storey_rooms import (
     name_rooms,
     needed_area,
 )
-from mansion_planner.program.told_doors import entered_as_told
-from mansion_planner.program.used_together import pairs_used_together
 
 __all__ = [
     "Arrangement",

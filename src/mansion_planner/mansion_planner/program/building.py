@@ -26,14 +26,14 @@ from mansion_planner.brief.facts import BriefFacts, MaterialFact
 from mansion_planner.brief_checks import check_total_area
 from mansion_planner.program.allocation import allocate
 from mansion_planner.program.arrangement import Arrangement, best_arrangement, neighbours, unmet_neighbours
-from mansion_planner.program.called_sizes import called_size
+from mansion_planner.program.building_size import called_size
 from mansion_planner.program.compact_outline import with_compact_outline
 from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
 from mansion_planner.program.model import CoreWish, Massing, Placement, PlannedRoom, Sketch, Storey, aliases_of
 from mansion_planner.program.outline import Envelope, Frame, bearing_walls
 from mansion_planner.program.setbacks import setback_record
-from mansion_planner.program.stair_sizes import stair_size, storey_height
+from mansion_planner.program.stairs import stair_size, storey_height
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storeys import floors_of, is_hall, make_storeys
 from mansion_planner.program.wish_ledger import furniture_of, requested_objects, wishes_of

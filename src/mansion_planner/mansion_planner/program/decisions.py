@@ -13,13 +13,10 @@ from mansion_msgs_py.program import Clutter, Downgrade, RequestedObject, TraceEn
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
-from mansion_planner.program.called_sizes import called_size, within_called
+from mansion_planner.program.building_size import ProgramSize, called_size, people_of, size_of_program, within_called
 from mansion_planner.program.footprint import check_footprint, is_rectangle
-from mansion_planner.program.master_suites import with_master_suite
-from mansion_planner.program.program_size import ProgramSize, size_of_program
-from mansion_planner.program.room_parts import with_room_parts
+from mansion_planner.program.room_parts import with_master_suite, with_room_parts
 from mansion_planner.program.shape_sizes import most_storeys
-from mansion_planner.program.told_people import people_of
 from mansion_planner.program.usual_meanings import as_meant_in, with_main_room
 
 __all__ = ["AREA_CAP", "Decisions", "MOST_FLOORS", "conflict", "decide", "note", "quoted"]

@@ -14,13 +14,13 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.wording import with_article
 from mansion_planner.program.allocation import Allocation
-from mansion_planner.program.called_sizes import called_size
+from mansion_planner.program.building_size import called_size
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
 from mansion_planner.program.hall_wings import hall_of_wing
 from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
 from mansion_planner.program.plan_quality import FACING
-from mansion_planner.program.second_stair import second_stair
 from mansion_planner.program.shape_sizes import holds_shape, least_area
+from mansion_planner.program.stairs import second_stair
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import base_rooms, hub_area, listed_area
 from mansion_planner.program.storeys import entries_of, is_hall

@@ -1,4 +1,4 @@
-"""Corners and nooks of a home, which are furniture of a room rather than rooms: a TV corner, a sleeping alcove."""
+"""Rooms of a home that belong to one: nooks that are furniture of it, bathroom and closet of the main bedroom."""
 
 from dataclasses import replace
 
@@ -6,7 +6,7 @@ from mansion_knowledge import BuildingType
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, ObjectFact, RoomFact
 from mansion_planner.brief.niches import NICHES, THING_FOR
 
-__all__ = ["with_room_parts"]
+__all__ = ["with_master_suite", "with_room_parts"]
 
 _LIVING = ("living_room", "lounge", "studio_room")
 _EATING = ("living_room", "kitchen_diner", "open_kitchen", "kitchen", "studio_room")
@@ -85,3 +85,42 @@ def _part_of(room: RoomFact, building: BuildingType, facts: BriefFacts) -> Objec
         words=room.span.words, category=_thing_for(use), span=room.span, room=name, room_type=kind, floors=room.floors,
         noun=room.label or room.name.replace("_", " "),
     ) if kind else None  # fmt: skip
+
+
+_MAIN_BEDROOMS = ("master_suite", "master_bedroom")
+_PRIVATE = ("ensuite_bathroom", "walk_in_closet")
+
+
+def with_master_suite(facts: BriefFacts) -> BriefFacts:
+    """Return facts in which an ensuite bathroom and a walk-in closet are reached through the one main bedroom.
+
+    Several of a kind, and those on storeys of their own, stay rooms of the storey.
+
+    Examples
+    --------
+    >>> from mansion_planner.brief.facts import Span
+    >>> span = Span(0, 0, "")
+    >>> rooms = [RoomFact("master_suite", "master_suite", span, 1), RoomFact("closet", "walk_in_closet", span, 1)]
+    >>> [(room.name, [child.name for child in room.suite]) for room in with_master_suite(BriefFacts(rooms=rooms)).rooms]
+    [('master_suite', ['closet'])]
+    """
+    hosts = [room for room in facts.rooms if room.room_type in _MAIN_BEDROOMS]
+    if len(hosts) != 1 or not _is_single(hosts[0]):
+        return facts
+    host = hosts[0]
+    own = [
+        room
+        for room in facts.rooms
+        if room.room_type in _PRIVATE and _is_single(room) and room.floors in ((), host.floors)
+    ]
+    own = [room for room in own if sum(other.room_type == room.room_type for other in facts.rooms) == 1]
+    if not own:
+        return facts
+    whole = replace(host, suite=tuple(replace(room, floors=()) for room in own))
+    rooms = [whole if room is host else room for room in facts.rooms if not any(room is other for other in own)]
+    return replace(facts, rooms=rooms)
+
+
+def _is_single(fact: RoomFact) -> bool:
+    """Whether a brief asks for one room, by itself."""
+    return fact.count == 1 and not fact.each and not fact.unit and not fact.suite

@@ -1,6 +1,7 @@
 """The wishes of a brief: a ledger of its statements, and which rooms get the furniture that it wants."""
 
 from collections.abc import Sequence
+from typing import Final
 
 import msgspec
 
@@ -16,16 +17,15 @@ from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.similarity import told_room_type
 from mansion_planner.brief.sizes import size_bound
 from mansion_planner.program.allocation import MANY
-from mansion_planner.program.called_sizes import called_bound
+from mansion_planner.program.building_size import called_bound
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.furniture_areas import usual_number, usually_has
 from mansion_planner.program.household import is_whole
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.people_rooms import place_requests
-from mansion_planner.program.single_rooms import single_beds
 from mansion_planner.program.storeys import floors_of
 
-__all__ = ["furniture_of", "requested_objects", "wishes_of"]
+__all__ = ["furniture_of", "requested_objects", "single_beds", "wishes_of"]
 
 
 def furniture_of(decisions: Decisions, storeys: Sequence[Storey]) -> dict[tuple[int, str], list[RequestedObject]]:
@@ -424,3 +424,40 @@ class _Ledger:
         if called and wanted.room not in stated and not usual:
             return Scope(floors=floors, each=wanted.each)
         return Scope(floors=floors, room=wanted.room, room_type=wanted.room_type, each=wanted.each)
+
+
+_BEDS: Final = {
+    "dorm_room": "single_bed",
+    "hotel_room": "single_bed",
+    "patient_room": "hospital_bed",
+    "resident_room": "hospital_bed",
+    "bedroom": "single_bed",
+}
+"""Bed of each type of room in which more than one may stand."""
+
+
+def single_beds(
+    decisions: Decisions, rooms: Sequence[tuple[Storey, PlannedRoom]]
+) -> dict[tuple[int, str], RequestedObject]:
+    """Return the one bed of each single room, by storey and room.
+
+    Parameters
+    ----------
+    decisions : Decisions
+    rooms : sequence of (Storey, PlannedRoom)
+        All rooms of the building.
+    """
+    beds = {object_.room for object_ in decisions.facts.objects if object_.category.endswith("bed")}
+    singles = {
+        fact.name: fact.room_type for fact in decisions.facts.rooms if _is_single(fact) and fact.name not in beds
+    }
+    return {
+        (storey.index, room.id): RequestedObject(category=_BEDS[room.kind.name], count=1, words="bed", exact=True)
+        for storey, room in rooms
+        if singles.get(room.base, "-") == room.kind.name
+    }
+
+
+def _is_single(fact: RoomFact) -> bool:
+    """Whether a fact is about several rooms for one person each: "a single bedroom" is a number."""
+    return fact.room_type in _BEDS and (fact.count or 0) > 1 and "single" in fact.span.words.lower().split()

@@ -18,9 +18,8 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.limits import MAX_FLOOR_AREA
 from mansion_msgs_py.topology import SeedPlan
-from mansion_planner.solver.options import SolverOptions
+from mansion_planner.solver.options import ANY, SolverOptions, shape_of
 from mansion_planner.solver.room_graph import Link, breadth_first_parents, resolve_zones
-from mansion_planner.solver.room_shapes import ANY, shape_of
 
 __all__ = [
     "ACCESS",

@@ -1,20 +1,22 @@
-"""Small objects on and in the receptacles of a room."""
+"""Small objects on and in the receptacles of a room, fewer or more of them as its clutter is to be."""
 
 import math
 from collections.abc import Sequence
 
 import msgspec
 import numpy as np
+from msgspec.structs import replace
 
 from mansion_assets.catalogue import Asset, Catalogue, Surface, Volume
 from mansion_assets.catalogue.records import Arrangement, Scatter, Slot
 from mansion_assets.catalogue.requested_furniture import laid_categories
 from mansion_geometry.randomness import item_generator
+from mansion_msgs_py.program import Clutter
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point, Size3
 from mansion_scene.decor.frames import Ids, scene_object, to_floor, to_local
 
-__all__ = ["Shelf", "Spot", "shelves_of", "small_objects", "spot_of"]
+__all__ = ["Shelf", "Spot", "shelves_of", "small_objects", "spot_of", "with_clutter"]
 
 _GAP = 0.008
 """Least distance between neighbours, metres."""
@@ -382,3 +384,47 @@ def _entry(
         if within:
             return (x + shelf.x, y + shelf.y)
     return None
+
+
+_FACTORS = {"sparse": 0.35, "dense": 2.5}
+"""How many times as many scattered objects as usual there are."""
+
+
+def with_clutter(arrangements: Sequence[Arrangement], clutter: Clutter) -> list[Arrangement]:
+    """Return arrangements of small objects that lay out fewer or more than usual.
+
+    Place settings stay as they are: a laid table is no clutter.
+
+    Examples
+    --------
+    >>> shelf = Arrangement(name="shelf", on=["bookcase"], scatter=[Scatter(category="book", min=2, max=4, p=0.5)])
+    >>> [(s.min, s.max, s.p) for s in with_clutter([shelf], "dense")[0].scatter]
+    [(5, 10, 0.875)]
+    >>> [(s.min, s.max, s.p) for s in with_clutter([shelf], "sparse")[0].scatter]
+    [(1, 1, 0.25)]
+    """
+    return [
+        replace(
+            arrangement,
+            p=_likelihood(arrangement.p, clutter),
+            slots=[_slot(slot, clutter) for slot in arrangement.slots],
+            scatter=[_scatter(scatter, clutter) for scatter in arrangement.scatter],
+        )
+        for arrangement in arrangements
+    ]
+
+
+def _slot(slot: Slot, clutter: Clutter) -> Slot:
+    """Return a slot as it is filled; what is there always, as a screen on its desk, stays."""
+    return slot if slot.p >= 1.0 else replace(slot, p=_likelihood(slot.p, clutter))
+
+
+def _scatter(scatter: Scatter, clutter: Clutter) -> Scatter:
+    factor = _FACTORS[clutter]
+    least, most = (round(factor * number) for number in (scatter.min, scatter.max))
+    return replace(scatter, min=least, max=max(most, 1), p=_likelihood(scatter.p, clutter))
+
+
+def _likelihood(p: float, clutter: Clutter) -> float:
+    """Return how likely something is laid out: half as likely as usual, or in one of three attempts."""
+    return 1.0 - (1.0 - p) ** 3 if clutter == "dense" else p / 2
