@@ -1,4 +1,4 @@
-"""Places that are each given one where they have none, and clauses that only tell what is there already."""
+"""Places and some of several that lack something are each given one; what has one already gets no second."""
 
 import pytest
 
@@ -133,3 +133,87 @@ def test_filling_in_what_is_missing_counts_those_there(furnished_state: SceneSta
 )
 def test_what_is_to_be_filled_in_must_be_clear(furnished_state: SceneState, text: str) -> None:
     assert read_instruction(text, furnished_state).not_understood
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Two of the chairs in the hall have no cup. Put one on each of those.",
+        "Two of the chairs in the hall have no cup. Give them one.",
+        "Two chairs in the hall lack a cup; put one on each of them.",
+        "Two of the three chairs in the hall are without a cup, so put one on both.",
+        "Two of the chairs in the hall do not have a cup yet. Please add a cup to each of these.",
+    ],
+)
+def test_those_that_lack_it_are_given_one(furnished_state: SceneState, text: str) -> None:
+    read = read_instruction(text, furnished_state)
+    (asked,) = [statement for statement in read.statements if not isinstance(statement, Mention)]
+    assert read.not_understood == [] and isinstance(asked, Ensure)
+    assert (asked.things.noun, asked.each, asked.lacking) == ("cup", True, 2)
+    assert asked.place.anchor is not None and asked.place.anchor.noun == "chair"
+
+
+def _cups(editor: SceneEditor) -> int:
+    return sum(item.category == "cup" for _, item in editor.state.objects())
+
+
+def test_another_number_than_lacks_it_is_refused(editor: SceneEditor) -> None:
+    report = instruct(editor, "Two of the chairs in the hall have no cup. Put one on each of those.")
+    assert not report.done and "3 have no cup, not 2" in report.message
+    assert instruct(editor, "Put a cup on chair 1 in the hall.").done
+    assert instruct(editor, "Two of the chairs in the hall have no cup. Put one on each of those.").done
+    assert _cups(editor) == 3
+
+
+@pytest.mark.parametrize("other", ["Remove them.", "Put a plant on each of those.", "Switch them on."])
+def test_what_else_is_asked_of_them_is_not_understood(furnished_state: SceneState, other: str) -> None:
+    read = read_instruction(f"Two of the chairs in the hall have no cup. {other}", furnished_state)
+    assert read.not_understood
+
+
+@pytest.mark.parametrize(
+    "spared",
+    [
+        "; where there is one already leave it as it is.",
+        ". Where there's already one, it stays.",
+        ", leave those that have one alone.",
+        ", but don't put a second one where there is one already.",
+        ", but not where there is one already.",
+        "; if a table already has one, that's fine.",
+        ". Skip the tables which have one already.",
+        "; whatever already has one needs nothing.",
+        "; where there's one already you don't need to do anything.",
+    ],
+)
+def test_those_that_have_one_get_no_second(furnished_state: SceneState, spared: str) -> None:
+    (statement,) = _asked(f"Put a mug on every dining table{spared}", furnished_state)
+    assert isinstance(statement, Ensure) and statement.each
+    assert statement.things.noun == "mug" and statement.things.amount.number == 1
+
+
+@pytest.mark.parametrize("spared", ["if there is one already leave it", "but not where there is one already"])
+def test_a_single_place_that_has_one_gets_no_second(furnished_state: SceneState, spared: str) -> None:
+    (statement,) = _asked(f"Put a mug on the dining table in the kitchen; {spared}.", furnished_state)
+    assert isinstance(statement, Ensure) and not statement.each
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        "where there is one already remove it",
+        "where there is one already move it to the hall",
+        "where there are two leave one",
+        "where there is one already leave nothing",
+        "where there is one already it should not stay",
+    ],
+)
+def test_what_else_becomes_of_those_is_not_passed_over(furnished_state: SceneState, other: str) -> None:
+    assert read_instruction(f"Put a mug on every dining table; {other}.", furnished_state).not_understood
+
+
+@pytest.mark.parametrize("amount", ["two mugs", "another mug"])
+def test_one_that_is_there_says_nothing_of_other_numbers(furnished_state: SceneState, amount: str) -> None:
+    instruction = read_instruction(
+        f"Put {amount} on every dining table; where there is one already leave it.", furnished_state
+    )
+    assert instruction.not_understood and isinstance(instruction.statements[0], Add)

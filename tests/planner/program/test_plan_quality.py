@@ -1,4 +1,6 @@
-"""Storeys are filled with rooms of about the sizes that their kinds have, whatever is asked for."""
+"""Storeys are filled with rooms of about the usual sizes, and homes have no long halls and no slender rooms."""
+
+from dataclasses import replace
 
 import pytest
 
@@ -7,8 +9,9 @@ from mansion_knowledge import default_knowledge
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief import read_brief
 from mansion_planner.program.building import PlannedBuilding, plan_program
-from mansion_planner.program.model import box_area
-from mansion_planner.program.plan_quality import swollen_rooms
+from mansion_planner.program.model import Box, Corridor, Placement, Sketch, Storey, box_area
+from mansion_planner.program.plan_quality import home_faults, swollen_rooms
+from mansion_planner.program.planned_rooms import planned_room
 
 
 def planned(text: str, **fields: float) -> PlannedBuilding:
@@ -76,3 +79,30 @@ def test_a_program_never_plans_more_than_its_floor_has() -> None:
     (floor,) = building.program.floors
     assert floor.area_summary.fits_within_gfa
     assert sum(room.area_estimate for room in floor.rooms) <= floor.gross_floor_area + 0.1
+
+
+KNOWLEDGE = default_knowledge()
+
+
+def storey() -> Storey:
+    request = BuildRequest(description="a bungalow")
+    facts = read_brief(request.description, KNOWLEDGE)
+    return plan_program(request, facts, KNOWLEDGE, "b", item_generator(0, "program")).storeys[0]
+
+
+def faults(rooms: dict[str, Box], hall: Box = (0.0, 4.0, 10.0, 5.0), area: float = 90.0) -> float:
+    placed = [Placement(planned_room(KNOWLEDGE.room(name), KNOWLEDGE), [box], "hallway") for name, box in rooms.items()]
+    sketch = Sketch([Corridor("hallway", [hall], "")], placed, {})
+    return home_faults([(replace(storey(), rooms=()), sketch, area)])
+
+
+def test_a_kitchen_by_the_living_room_is_no_fault_and_one_apart_is() -> None:
+    together = {"kitchen": (0.0, 0.0, 4.0, 4.0), "living_room": (4.0, 0.0, 10.0, 4.0)}
+    apart = {"kitchen": (0.0, 0.0, 4.0, 4.0), "bedroom": (4.0, 0.0, 7.5, 4.0), "living_room": (0.0, 5.0, 6.0, 9.0)}
+    assert faults(together) == 0.0
+    assert faults(apart) > 0.0
+
+
+def test_a_hall_above_its_share_and_a_slender_bedroom_are_faults() -> None:
+    assert faults({"bedroom": (0.0, 0.0, 4.0, 4.0)}, hall=(0.0, 4.0, 10.0, 6.0)) > 0.0
+    assert faults({"bedroom": (0.0, 0.0, 2.0, 5.0)}) > faults({"bedroom": (0.0, 0.0, 3.0, 4.0)}) == 0.0

@@ -24,10 +24,9 @@ from mansion_planner.brief.phrase import (
     name_of,
 )
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.repeated_names import further_ones
+from mansion_planner.brief.repeated_names import further_ones, room_by_its_contents, rooms_named_again
 from mansion_planner.brief.room_names import coordinated, designated_nouns, with_designators, with_purpose, with_sizes
 from mansion_planner.brief.room_users import with_users, with_users_before
-from mansion_planner.brief.rooms_named_again import room_by_its_contents, rooms_named_again
 from mansion_planner.brief.rooms_of_staff import OFFICE_HOLDERS, with_rooms_of_staff
 from mansion_planner.brief.similarity import HEAD_TYPES, room_of_building, similar_room_type, told_room_type
 

@@ -59,8 +59,7 @@ from mansion_planner.brief.one_sized import with_one_sized
 from mansion_planner.brief.phrase import BARE_BUILDINGS, Phrase
 from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
-from mansion_planner.brief.relation_facts import state_relations
-from mansion_planner.brief.relations import read_relations
+from mansion_planner.brief.relations import read_relations, state_relations
 from mansion_planner.brief.retractions import without_retractions, without_taken_back
 from mansion_planner.brief.room_facts import RoomStatements
 from mansion_planner.brief.room_groups import read_desk_areas, with_blocks

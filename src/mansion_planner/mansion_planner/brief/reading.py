@@ -13,6 +13,7 @@ from mansion_planner.brief.conversions import without_conversions
 from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.counted_compounds import BUILDING_HEADS, counted_compounds
+from mansion_planner.brief.earlier_briefs import without_recalled_wishes, without_withdrawn_briefs
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
@@ -22,7 +23,6 @@ from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.masters_bathroom import masters_bathroom
 from mansion_planner.brief.paired_nouns import paired_nouns
-from mansion_planner.brief.recalled_wishes import without_recalled_wishes
 from mansion_planner.brief.relative_areas import relative_areas
 from mansion_planner.brief.rooms_by_number import in_digits, rooms_by_number
 from mansion_planner.brief.rooms_by_person import rooms_by_person
@@ -54,7 +54,6 @@ from mansion_planner.brief.token_forms import (
 from mansion_planner.brief.told_again import without_asides
 from mansion_planner.brief.twin_homes import twin_homes
 from mansion_planner.brief.unit_totals import unit_totals
-from mansion_planner.brief.withdrawn_briefs import without_withdrawn_briefs
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
 

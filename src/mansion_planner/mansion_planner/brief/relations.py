@@ -1,4 +1,4 @@
-"""Read which rooms are to be side by side or apart: "the kitchen next to the dining room", "away from the nursery".
+"""Read and state which rooms are to be side by side or apart: "the kitchen next to the bar", "away from the stairs".
 
 A relation joins the room named last before it and the rooms named right after it; pronouns stand for the room before.
 """
@@ -8,6 +8,7 @@ from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from mansion_planner.brief.facts import AdjacencyFact, Span
 from mansion_planner.brief.mutual_relations import (
     between_relation,
     closes_clause,
@@ -37,8 +38,9 @@ from mansion_planner.brief.relation_words import (
     NEGATIONS,
     PRONOUNS,
 )
+from mansion_planner.brief.room_facts import identifier
 
-__all__ = ["read_relations"]
+__all__ = ["read_relations", "state_relations"]
 
 
 def read_relations(reading: Reading, phrases: list[Phrase], excluded_phrases: set[int]) -> list[Relation]:
@@ -311,3 +313,80 @@ def _referent(reading: Reading, phrases: list[Phrase], others: list[int], lefts:
 def _inverted(reading: Reading, phrases: list[Phrase], before: list[int], index: int) -> bool:
     """Whether the relation opens its clause: ", and next to the kitchen the pantry"."""
     return reading.word(index - 1) in (",", "and") and phrases[before[-1]].last < index
+
+
+_THROUGH = frozenset(
+    """
+    open opening lead leading connected connect connecting linked joined link access accessed accessible reached entered
+    communicate communicating attached passage off behind
+    """.split()
+)
+"""Words of relations between rooms of which one is entered from the other."""
+_CLOSE = 8
+_WORDS = 12
+"""Tokens between a relation and a room that its statement names, and of a statement, at most."""
+
+
+def state_relations(
+    reading: Reading,
+    phrases: Sequence[Phrase],
+    relations: Sequence[Relation],
+    same: Mapping[int, int],
+    groups: Mapping[int, list[int]],
+) -> None:
+    """State each pair of rooms that a relation joins; the words of one that joins none are given back.
+
+    Parameters
+    ----------
+    same : mapping of int to int
+        For a later mention of a room, the phrase that names it first.
+    groups : mapping of int to list of int
+        For a mention of several rooms, the phrases that name them.
+    """
+    for relation in relations:
+        held = reading.facts.apart if relation.apart else reading.facts.adjacent
+        many = len(held)
+        for pair in _pairs(groups, relation):
+            first, second = (phrases[same.get(n, n)] for n in pair)
+            if not first.room_type or not second.room_type or "unknown" in (first.head, second.head):
+                continue
+            span = _span_of_relation(reading, relation, *(phrases[n] for n in pair))
+            held.append(
+                AdjacencyFact(
+                    first.room_type,
+                    second.room_type,
+                    span,
+                    identifier(first.name),
+                    identifier(second.name),
+                    each=pair[0] != pair[1] and (first.count or 2) > 1 and not relation.apart,
+                    door=not relation.apart and not _THROUGH.isdisjoint(reading.words(relation.first, relation.last)),
+                )
+            )
+        if len(held) == many:
+            _tell(reading, relation)
+
+
+def _span_of_relation(reading: Reading, relation: Relation, first: Phrase, second: Phrase) -> Span:
+    """Return the words of a relation, with those of the rooms that stand close by."""
+    begin = min(first.begin, second.begin, relation.first)
+    begin = begin if relation.first - begin <= _CLOSE else relation.first
+    last = max(first.noun_end, second.noun_end, relation.last)
+    return reading.span(begin, last if last - begin <= _WORDS else relation.last)
+
+
+def _tell(reading: Reading, relation: Relation) -> None:
+    """Give back the words of a relation that no statement was made of."""
+    reading.taken.difference_update(range(relation.first, relation.last))
+
+
+def _pairs(groups: Mapping[int, list[int]], relation: Relation) -> list[tuple[int, int]]:
+    whole = relation.lefts[0]
+    if relation.lefts == relation.rights == (whole,) and whole in groups:
+        group = groups[whole]
+        return [(a, b) for n, a in enumerate(group) for b in group[n + 1 :]]
+    lefts, rights = ([m for n in side for m in groups.get(n, [n])] for side in (relation.lefts, relation.rights))
+    if relation.apart:
+        return [(left, right) for left in lefts for right in rights if left != right]
+    if len(relation.lefts) == len(relation.rights) and len(relation.lefts) > 1:
+        return list(zip(relation.lefts, relation.rights))
+    return [(left, right) for left in relation.lefts for right in relation.rights]

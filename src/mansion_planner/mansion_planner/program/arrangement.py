@@ -21,7 +21,6 @@ from mansion_planner.program.foyers import foyer_length
 from mansion_planner.program.hall_sketch import most_fronts
 from mansion_planner.program.hall_wings import hall_of_wing, with_hall_wing
 from mansion_planner.program.home_orders import HOME_PAIRS
-from mansion_planner.program.home_quality import home_faults
 from mansion_planner.program.household import STUDIO
 from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
 from mansion_planner.program.model import (
@@ -42,6 +41,7 @@ from mansion_planner.program.plan_quality import (
     comes_out_as_strips,
     crosswise,
     dark_rooms,
+    home_faults,
     long_halls,
     shallow_garages,
     shrunk_rooms,

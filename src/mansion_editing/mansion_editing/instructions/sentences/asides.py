@@ -12,7 +12,7 @@ from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import BEFORE_VERBS, PEOPLE, RELATIVES, TELLING_WHERE
 from mansion_editing.instructions.phrases.words import BE, MODALS, PERSONS, Word, text_at
-from mansion_editing.instructions.sentences.already_there import spares_those_with_one
+from mansion_editing.instructions.sentences.antecedents import listed_in, with_list_for_pronoun
 from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
     begins_with_state,
@@ -33,9 +33,8 @@ from mansion_editing.instructions.sentences.bystanding import (
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.judgements import cannot_do, end_of_judged_predicate, is_judgement
-from mansion_editing.instructions.sentences.lacking import given_where_none_is
+from mansion_editing.instructions.sentences.lacking import given_where_none_is, spares_those_with_one
 from mansion_editing.instructions.sentences.progress import Progress
-from mansion_editing.instructions.sentences.taking_up import listed_in, with_list_for_pronoun
 from mansion_editing.instructions.statements import (
     Add,
     Amount,

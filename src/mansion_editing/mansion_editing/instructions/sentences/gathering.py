@@ -7,6 +7,7 @@ import msgspec
 
 from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader, sparing
+from mansion_editing.instructions.sentences.clearing import taken_off
 from mansion_editing.instructions.sentences.refinement import (
     adds_it,
     counted_by,
@@ -30,7 +31,6 @@ from mansion_editing.instructions.sentences.refinement import (
     tells_who_may_stay,
 )
 from mansion_editing.instructions.sentences.tails import Tails
-from mansion_editing.instructions.sentences.taken_off import taken_off
 from mansion_editing.instructions.statements import (
     Add,
     Clear,

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 
 from mansion_editing.instructions.phrases.clock_times import without_times_of_headings
+from mansion_editing.instructions.phrases.following_numbers import limits_before, totals_before
 from mansion_editing.instructions.phrases.frames import without_frames
 from mansion_editing.instructions.phrases.lexicon import Lexicon
-from mansion_editing.instructions.phrases.limits import limits_before
 from mansion_editing.instructions.phrases.mending import mended
 from mansion_editing.instructions.phrases.notation import written_out
 from mansion_editing.instructions.phrases.nouns import Noun
@@ -13,7 +13,6 @@ from mansion_editing.instructions.phrases.plain_speech import in_plain_words
 from mansion_editing.instructions.phrases.remarks import without_remarks
 from mansion_editing.instructions.phrases.rewordings import reworded
 from mansion_editing.instructions.phrases.storey_counts import counted_from_ground
-from mansion_editing.instructions.phrases.totals import totals_before
 from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_order import in_usual_order

@@ -30,12 +30,11 @@ from mansion_editing.instructions.sentences.antecedents import (
 from mansion_editing.instructions.sentences.asides import Asides
 from mansion_editing.instructions.sentences.background import is_background, is_told, split_sentences
 from mansion_editing.instructions.sentences.clearing import with_takings_first
-from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, else_at
+from mansion_editing.instructions.sentences.conditions import Condition, Depending, begins_condition, else_at
 from mansion_editing.instructions.sentences.correcting import Correcting
-from mansion_editing.instructions.sentences.depending import Depending
 from mansion_editing.instructions.sentences.gathering import Gathering
 from mansion_editing.instructions.sentences.headings import Headings
-from mansion_editing.instructions.sentences.lacking_some import LackingSome
+from mansion_editing.instructions.sentences.lacking import LackingSome
 from mansion_editing.instructions.sentences.lids import opened_as_whole
 from mansion_editing.instructions.sentences.old_ones import (
     with_companions_first,
