@@ -6,7 +6,7 @@ import pytest
 
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
-from mansion_editing.instructions.phrases.storey_counts import counts_above_ground
+from mansion_editing.instructions.phrases.storeys import counts_above_ground
 from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import Add, Move
 from mansion_editing.state import SceneState

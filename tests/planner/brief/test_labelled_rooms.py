@@ -1,4 +1,4 @@
-"""Rooms that are told one by one after their number are rooms of their own."""
+"""Rooms that are told one by one after their number, or by kinds after a colon, are listed."""
 
 import pytest
 
@@ -77,3 +77,21 @@ def test_a_hall_for_many_is_one_to_meet_in() -> None:
 def test_the_others_have_the_last_area(words: str) -> None:
     rooms = read_brief(f"A house with {words}.", default_knowledge()).rooms
     assert [(fact.name, fact.count, fact.area) for fact in rooms] == [("master_bedroom", 1, 18.0), ("bedroom", 2, 12.0)]
+
+
+def counts(text: str) -> dict[str, int | None]:
+    """Return how many rooms of each name are told."""
+    return {fact.name: fact.count for fact in read(text).rooms}
+
+
+def test_a_colon_shares_out_the_rooms_before_it() -> None:
+    facts = read("A club with changing rooms: two for home teams, two for guests, one for referees.")
+    assert [(fact.room_type, fact.count) for fact in facts.rooms] == [
+        ("changing_room", 2), ("changing_room", 2), ("changing_room", 1)
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("joint", ["and one for 4", ", another for 4"])
+def test_a_second_one_for_others_is_a_second_room(joint: str) -> None:
+    facts = read(f"Office with one meeting room for 8 {joint} and a kitchen.")
+    assert [fact.room_type for fact in facts.rooms].count("meeting_room") == 2

@@ -51,7 +51,6 @@ from mansion_planner.brief.later_mentions import (
     tell_rooms_within,
 )
 from mansion_planner.brief.measures import find_measures, give_measures
-from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.niches import read_niches
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.occupants import read_occupants, tell_users
@@ -62,7 +61,7 @@ from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import read_relations, state_relations
 from mansion_planner.brief.retractions import without_retractions, without_taken_back
 from mansion_planner.brief.room_facts import RoomStatements
-from mansion_planner.brief.room_groups import read_desk_areas, with_blocks
+from mansion_planner.brief.room_groups import desks_as_places, read_desk_areas, rooms_by_name, with_blocks
 from mansion_planner.brief.room_names import told_by_its_words
 from mansion_planner.brief.rooms_by_building import room_for_building
 from mansion_planner.brief.sanitary_rooms import by_what_else_is_named, read_washing_fittings

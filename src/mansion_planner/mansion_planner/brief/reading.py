@@ -15,11 +15,9 @@ from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.counted_compounds import BUILDING_HEADS, counted_compounds
 from mansion_planner.brief.earlier_briefs import without_recalled_wishes, without_withdrawn_briefs
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
-from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.glosses import without_glosses
-from mansion_planner.brief.kinds_of_rooms import kinds_of_rooms
-from mansion_planner.brief.labelled_rooms import labelled_rooms
+from mansion_planner.brief.labelled_rooms import kinds_of_rooms, labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.masters_bathroom import masters_bathroom
 from mansion_planner.brief.paired_nouns import paired_nouns
@@ -28,7 +26,7 @@ from mansion_planner.brief.rooms_by_number import in_digits, rooms_by_number
 from mansion_planner.brief.rooms_by_person import rooms_by_person
 from mansion_planner.brief.rooms_by_sex import rooms_by_sex
 from mansion_planner.brief.seated_people import seated_people
-from mansion_planner.brief.shortened_nouns import shortened_nouns
+from mansion_planner.brief.shortened_nouns import flat_types, shortened_nouns
 from mansion_planner.brief.single_floors import single_flats, single_floors
 from mansion_planner.brief.spelling import corrected, without_slips
 from mansion_planner.brief.spoken_turns import spoken_turns

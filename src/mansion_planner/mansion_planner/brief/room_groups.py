@@ -1,4 +1,4 @@
-"""Read groups of rooms and of places to work: "a cell block of 20 cells", "a toilet block", "30 hot desks"."""
+"""Read rooms told as a group, "a cell block of 20 cells", "three game rooms (tomb, attic)", and desks as places."""
 
 from dataclasses import replace
 
@@ -6,7 +6,7 @@ from mansion_planner.brief.facts import BriefFacts, ObjectFact
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["read_desk_areas", "with_blocks"]
+__all__ = ["desks_as_places", "read_desk_areas", "rooms_by_name", "with_blocks"]
 
 _GROUPS = frozenset({"block", "wing", "cluster"})
 _LISTS = frozenset({"of", "with", "containing", "holding", "having", ":", "("})
@@ -69,3 +69,85 @@ def read_desk_areas(facts: BriefFacts) -> None:
                 noun=room.label,
             )
         )
+
+
+def rooms_by_name(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
+    """Return phrases of which a number of rooms is replaced by as many that brackets after it name.
+
+    Names that are all known rooms themselves are left: they say what the rooms are rather than what they are called.
+    """
+    out = list(phrases)
+    for phrase in phrases:
+        if phrase.head != "room" or not phrase.counted or (phrase.count or 0) < 2 or reading.word(phrase.last) != "(":
+            continue
+        entries, end = _entries(reading, phrase.last + 1)
+        inner = [p for p in out if phrase.last < p.first < end]
+        known = [p for p in inner if p.head == "room" and p.known and (p.begin, p.noun_end) in entries]
+        if len(entries) != phrase.count or len(known) == len(entries):
+            continue
+        names = [
+            replace(
+                phrase,
+                first=first,
+                begin=first,
+                noun_end=last,
+                last=last,
+                name="_".join(w.replace("'s", "").replace("'", "") for w in reading.words(first, last)),
+                label=reading.span(first, last).words,
+                count=1,
+                plural=False,
+                determiner="",
+            )
+            for first, last in entries
+        ]
+        at = out.index(phrase)
+        out = [*out[:at], *names, *(p for p in out[at + 1 :] if p not in inner)]
+        reading.take(phrase.first, phrase.last)
+        for first, last in entries:
+            reading.take(first, last)
+    return out
+
+
+def _entries(reading: Reading, first: int) -> tuple[list[tuple[int, int]], int]:
+    """Return the parts of a list in brackets as tokens, and where it ends; nothing where it holds more than names."""
+    entries: list[tuple[int, int]] = []
+    start = index = first
+    while index < len(reading.tokens) and index - first < 60:
+        word = reading.word(index)
+        if word in (",", ")", "and"):
+            if index > start:
+                entries.append((start, index))
+            start = index + 1
+            if word == ")":
+                return (entries, index) if all(last - at <= 4 for at, last in entries) else ([], index)
+        elif reading.kind(index) != "word":
+            return [], index
+        index += 1
+    return [], index
+
+
+_DESKS = frozenset({"desk", "counter"})
+_BESIDE = (("next", "to"), ("beside",), ("adjacent", "to"), ("adjoining",), ("alongside",))
+
+
+def desks_as_places(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
+    """Return phrases of which a desk of a kind that is to be beside a room is a place of its own.
+
+    "The custody desk next to the cells" has to have a wall in common with them.
+    """
+    out = list(phrases)
+    for number, phrase in enumerate(phrases[:-1]):
+        following = phrases[number + 1]
+        beside = next((b for b in _BESIDE if reading.words(phrase.last, phrase.last + len(b)) == b), None)
+        if (
+            phrase.head == "object"
+            and not phrase.plural
+            and phrase.noun_end - phrase.begin > 1
+            and reading.word(phrase.noun_end - 1) in _DESKS
+            and beside is not None
+            and following.head == "room"
+            and following.begin - phrase.last - len(beside) <= 1
+        ):
+            name = "_".join(reading.words(phrase.begin, phrase.noun_end))
+            out[number] = replace(phrase, head="room", category="", room_type="reception", name=name, known=False)
+    return out

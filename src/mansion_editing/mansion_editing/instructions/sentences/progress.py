@@ -12,7 +12,7 @@ from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.plain_speech import in_plain_words
 from mansion_editing.instructions.phrases.remarks import without_remarks
 from mansion_editing.instructions.phrases.rewordings import reworded
-from mansion_editing.instructions.phrases.storey_counts import counted_from_ground
+from mansion_editing.instructions.phrases.storeys import counted_from_ground
 from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_order import in_usual_order

@@ -28,11 +28,10 @@ from mansion_editing.instructions.phrases.words import (
     next_mark,
     text_at,
 )
-from mansion_editing.instructions.sentences.background import end_of_background
+from mansion_editing.instructions.sentences.background import end_of_background, end_of_purpose
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
 from mansion_editing.instructions.sentences.ending_numbers import Counting, EndingNumbers
 from mansion_editing.instructions.sentences.lacking import end_of_presence, given_where_none_is, lacking_at
-from mansion_editing.instructions.sentences.purposes import end_of_purpose
 from mansion_editing.instructions.sentences.refinement import given_but_to
 from mansion_editing.instructions.sentences.resulting import Resulting
 from mansion_editing.instructions.statements import (
