@@ -1,4 +1,4 @@
-"""What is named without its noun gets it: doubles, open-plan offices, and flats named by their type."""
+"""What is named without its noun has it: doubles, open-plan offices, flats named by their type; "w/" is "with"."""
 
 import pytest
 
