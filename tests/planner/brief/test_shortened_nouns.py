@@ -55,3 +55,21 @@ def test_what_a_suite_is_the_sum_of_is_in_each() -> None:
     facts = read_brief("Villa with six bedroom suites; each suite = bedroom + bathroom + sauna.", default_knowledge())
     told = [(fact.room_type, fact.count, [room.room_type for room in fact.suite]) for fact in facts.rooms]
     assert told == [("bedroom", 6, ["bathroom", "sauna"])]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A storage centre with 40 units of 8 m2.",
+        "Self-storage with 40 units of 8 m2.",
+        "A warehouse with 40 storage units of 8 m2.",
+    ],
+)
+def test_units_of_a_self_storage_are_no_flats(text: str) -> None:
+    (units,) = read_brief(text, default_knowledge()).rooms
+    assert (units.room_type, units.count, units.area) == ("storage_unit", 40, 8.0)
+
+
+def test_a_semi_is_a_house() -> None:
+    facts = read_brief("3 bed semi. Downstairs loo.", default_knowledge())
+    assert [name for name, _ in facts.building] + [facts.building_name] == ["townhouse", "semi_detached_house"]

@@ -54,7 +54,7 @@ from mansion_planner.brief.later_mentions import (
     tell_rooms_within,
 )
 from mansion_planner.brief.measures import find_measures, give_measures
-from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
+from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name, without_announced
 from mansion_planner.brief.niches import read_niches
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.occupants import read_occupants, tell_users
@@ -173,7 +173,7 @@ class _Reader:
         left = {old.last for old, new in zip(named, own, strict=True) if old.head != new.head}
         if self.opening is not None and self.opening[3] in left:
             self.opening = None  # "the flat is bursting: we want a house"
-        phrases = rooms_of_several_uses(reading, own)
+        phrases = rooms_of_several_uses(reading, without_announced(reading, own))
         phrases = with_some_en_suite(reading, with_blocks(reading, phrases))
         phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
         read_shares(reading, phrases)

@@ -23,6 +23,7 @@ from mansion_planner.brief.kinds_of_rooms import kinds_of_rooms
 from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.masters_bathroom import masters_bathroom
+from mansion_planner.brief.numerals_in_turn import numerals_in_turn
 from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.recalled_wishes import without_recalled_wishes
 from mansion_planner.brief.relative_areas import relative_areas
@@ -242,7 +243,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
         paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS))))
     )
     tokens = storey_tables(abbreviated_storeys(text, decades(equal_rooms(tokens, FLOOR_WORDS))), FLOOR_WORDS)
-    tokens = rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS))
+    tokens = numerals_in_turn(rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS)))
     tokens = unit_totals(storeys_in_order(tokens, FLOOR_WORDS), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
