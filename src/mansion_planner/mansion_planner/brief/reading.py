@@ -14,6 +14,7 @@ from mansion_planner.brief.conversions import without_conversions
 from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.counted_compounds import BUILDING_HEADS, counted_compounds
+from mansion_planner.brief.excepted_storeys import excepted_storeys
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
@@ -244,7 +245,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     )
     tokens = storey_tables(abbreviated_storeys(text, decades(equal_rooms(tokens, FLOOR_WORDS))), FLOOR_WORDS)
     tokens = numerals_in_turn(rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS)))
-    tokens = unit_totals(storeys_in_order(tokens, FLOOR_WORDS), FLOOR_WORDS)
+    tokens = unit_totals(storeys_in_order(excepted_storeys(tokens, FLOOR_WORDS), FLOOR_WORDS), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
