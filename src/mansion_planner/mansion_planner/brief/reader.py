@@ -45,6 +45,7 @@ from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.fittings import leave_out_containers, read_fittings
 from mansion_planner.brief.flat_upstairs import give_rooms_to_flat
 from mansion_planner.brief.furnishings import read_furnishings
+from mansion_planner.brief.groups import with_room_of_group
 from mansion_planner.brief.heights import read_heights
 from mansion_planner.brief.households import read_households
 from mansion_planner.brief.later_mentions import (
@@ -134,7 +135,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     place_all_others(reading, exception)
     reading.go_on()
     read_copies(reading, places)
-    reading.facts.rooms = [with_bathrooms_by_name(fact) for fact in reading.facts.rooms]
+    reading.facts.rooms = [with_room_of_group(with_bathrooms_by_name(fact)) for fact in reading.facts.rooms]
     give_rooms_to_copies(reading.facts)
     read_clutter_words(reading, phrases)
     read_style(reading, named=False)
@@ -294,7 +295,9 @@ class _Reader:
         if opening is not None:
             rooms_before = any(p.begin < opening[2] for p in phrases if p.head == "room")
             known = number is not None and reading.sentence[phrases[number].first] <= reading.sentence[opening[2]]
-            wanted = number is not None and is_asked_for(reading, phrases[number].first)
+            wanted = number is not None and (
+                is_asked_for(reading, phrases[number].first) or reading.starts(phrases[number].first)
+            )
             asked = wanted and is_the_writer(reading, opening[2])
             if known or asked or rooms_before or not (number is None or opening[1]):
                 opening = None

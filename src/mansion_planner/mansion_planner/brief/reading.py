@@ -15,6 +15,7 @@ from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.counted_compounds import BUILDING_HEADS, counted_compounds
 from mansion_planner.brief.excepted_storeys import excepted_storeys
+from mansion_planner.brief.counted_parts import counted_parts
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
@@ -24,6 +25,7 @@ from mansion_planner.brief.kinds_of_rooms import kinds_of_rooms
 from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.masters_bathroom import masters_bathroom
+from mansion_planner.brief.mezzanines import mezzanines
 from mansion_planner.brief.numerals_in_turn import numerals_in_turn
 from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.recalled_wishes import without_recalled_wishes
@@ -244,9 +246,9 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
         paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS))))
     )
     tokens = storey_tables(abbreviated_storeys(text, decades(equal_rooms(tokens, FLOOR_WORDS))), FLOOR_WORDS)
-    tokens = numerals_in_turn(rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS)))
+    tokens = counted_parts(numerals_in_turn(rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS))))
     tokens = unit_totals(storeys_in_order(excepted_storeys(tokens, FLOOR_WORDS), FLOOR_WORDS), FLOOR_WORDS)
-    tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
+    tokens = flat_types(count_forms(storeys_by_use(mezzanines(storey_forms(text, tokens), FLOOR_WORDS), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
     tokens = stacked_flats(relative_areas(tokens), FLOOR_WORDS)

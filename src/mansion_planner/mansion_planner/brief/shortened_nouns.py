@@ -88,14 +88,30 @@ def _with_full_names(tokens: list[Token]) -> list[Token]:
     result: list[Token] = []
     for index, token in enumerate(tokens):
         before, after = _text(tokens, index - 1), _text(tokens, index + 1)
+        if _lives_and_works(tokens, index):
+            continue
         if token.text == "semi" and after in _ENDS:
             result += [replace(token, text=word, plural=False) for word in _SEMI]
             continue
         counted = index > 0 and tokens[index - 1].kind == "number"
-        if token.text == "unit" and stored and (counted or before in _OF_EACH | {"large", "small"}):
+        if token.text == "unit" and stored and (counted or before in _OF_EACH | {"large", "small"} or after == ":"):
             result.append(Token("word", "storage", token.start, token.start))
         result.append(token)
     return result
+
+
+_LIVE_WORK = (("live", "/", "work"), ("live", "work"), ("work", "/", "live"), ("living", "/", "working"))
+_STUDIOS = frozenset({"studio", "unit", "loft", "apartment", "flat"})
+
+
+def _lives_and_works(tokens: list[Token], index: int) -> bool:
+    """Whether a token is one of "live/work" before a studio, which is a dwelling all the same."""
+    for words in _LIVE_WORK:
+        for first in range(index - len(words) + 1, index + 1):
+            said = tuple(token.text for token in tokens[max(first, 0) : first + len(words)])
+            if said == words and _text(tokens, first + len(words)) in _STUDIOS:
+                return True
+    return False
 
 
 def _with_baths_behind(tokens: list[Token]) -> list[Token]:

@@ -285,8 +285,29 @@ def _ends_sentence(text: str, tokens: list[Token], index: int) -> bool:
     return following.text == "\n" or text[following.start].isupper()
 
 
+def _attached_to_each(tokens: list[Token]) -> list[Token]:
+    """Read "two courtrooms with a chamber attached to each" as "two courtrooms, each with a chamber"."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        link = tokens[index - 1].text if index else ""
+        end = len(result) - 1 if link == "to" else len(result)
+        joined = token.text in ("each", "both") and end > 0 and result[end - 1].text in _ATTACHED
+        closed = index + 1 == len(tokens) or tokens[index + 1].text in (",", ".", ";", "\n", ")", "and")
+        start = next((at for at in range(end - 2, max(end - 8, 0), -1) if result[at].text == "with"), 0)
+        if not (joined and closed and start):
+            result.append(token)
+            continue
+        comma = replace(result[start], kind="mark", text=",", end=result[start].start)
+        result[start:] = [comma, replace(token, text="each"), *result[start : end - 1]]
+    return result
+
+
+_ATTACHED = frozenset({"attached", "adjoining", "connected", "annexed", "adjacent", "next", "beside"})
+
+
 def owned_by_each(tokens: list[Token]) -> list[Token]:
     """Read "every bedroom own bathroom" as "every bedroom its own bathroom"."""
+    tokens = _attached_to_each(tokens)
     result: list[Token] = []
     for index, token in enumerate(tokens):
         before = [other.text for other in tokens[max(index - 3, 0) : index]]
