@@ -96,7 +96,7 @@ _OF_GROUPS = {"team": ("team", "room"), "class": ("classroom",), "department": (
 
 
 def _rooms_of_teams(tokens: list[Token]) -> list[Token]:
-    """Return the tokens with "changing rooms for four teams" and "3 teams of 8, each in its own room" as counted rooms."""
+    """Return the tokens with "changing rooms for four teams" and "3 teams, each in its own room" as counted rooms."""
     for index in range(len(tokens) - 4):
         if _text(tokens, index) in _FOR_TEAMS and tokens[index + 1].plural and _text(tokens, index + 2) == "for":
             counted = _is_number(tokens, index + 3) and _text(tokens, index + 4) in ("team", "club", "side")

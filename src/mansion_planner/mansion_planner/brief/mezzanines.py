@@ -1,4 +1,4 @@
-"""Take a mezzanine for the storey above the ground floor: "a shop with a mezzanine for the office", "Mezzanine: lounge".
+"""Take a mezzanine for the storey above the ground floor: "a mezzanine for the office", "Mezzanine: lounge".
 
 The plans have no storeys that cover a part of another, so rooms on a mezzanine lie on the first upper one.
 """

@@ -14,8 +14,8 @@ from mansion_planner.brief.conversions import without_conversions
 from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.counted_compounds import BUILDING_HEADS, counted_compounds
-from mansion_planner.brief.excepted_storeys import excepted_storeys
 from mansion_planner.brief.counted_parts import counted_parts
+from mansion_planner.brief.excepted_storeys import excepted_storeys
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
