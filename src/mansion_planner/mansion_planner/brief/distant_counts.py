@@ -396,6 +396,8 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
         ):
             continue
         subject = reading.word(index + 1)
+        if reading.word(index + 2) in FLOOR_WORDS:
+            continue  # "every tenant floor" is a storey
         if subject in _HAVING and reading.word(index - 1) == "," and reading.kind(index - 3) == "number":
             subject = reading.word(index - 2)  # "60 children in 3 groups, each with a toilet"
             if any(p.begin <= index - 2 < p.noun_end and p.head in ("room", "building", "object") for p in phrases):

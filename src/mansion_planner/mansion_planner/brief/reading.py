@@ -42,6 +42,7 @@ from mansion_planner.brief.stacked_flats import stacked_flats
 from mansion_planner.brief.storey_forms import storey_forms
 from mansion_planner.brief.storey_tables import storey_tables
 from mansion_planner.brief.storeys_by_use import storeys_by_use
+from mansion_planner.brief.storeys_in_full import storeys_in_full
 from mansion_planner.brief.storeys_in_order import storeys_in_order
 from mansion_planner.brief.token_forms import (
     abbreviated_storeys,
@@ -247,7 +248,9 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     )
     tokens = storey_tables(abbreviated_storeys(text, decades(equal_rooms(tokens, FLOOR_WORDS))), FLOOR_WORDS)
     tokens = counted_parts(numerals_in_turn(rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS))))
-    tokens = unit_totals(storeys_in_order(excepted_storeys(tokens, FLOOR_WORDS), FLOOR_WORDS), FLOOR_WORDS)
+    tokens = unit_totals(
+        storeys_in_order(excepted_storeys(storeys_in_full(tokens, FLOOR_WORDS), FLOOR_WORDS), FLOOR_WORDS), FLOOR_WORDS
+    )
     tokens = flat_types(count_forms(storeys_by_use(mezzanines(storey_forms(text, tokens), FLOOR_WORDS), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))

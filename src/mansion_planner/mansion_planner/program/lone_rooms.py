@@ -36,14 +36,15 @@ def lone_room(facts: BriefFacts, knowledge: KnowledgeBase) -> RoomFact | None:
     room = facts.rooms[0]
     kind = knowledge.room(room.room_type)
     placed = any((ref.kind, ref.last) != ("number", 1) for ref in room.floors)
-    several = room.count != 1 or room.suite or room.unit or kind.unit or kind.suite
+    suite = kind.suite and not room.suite  # a hotel room has a bathroom, and with it a hotel around it
+    several = room.count != 1 or room.unit or kind.unit or suite
     return None if several or placed or not room.known or kind.zone == "circulation" else room
 
 
 def as_lone_room(
     building: BuildingType, facts: BriefFacts, room: RoomFact, knowledge: KnowledgeBase
 ) -> tuple[BuildingType, BriefFacts]:
-    """Return a building that is the room, and the facts in which the room is the one that people enter by.
+    """Return a building that is the room, with what the brief says that the room has for itself, and the facts of it.
 
     Parameters
     ----------
@@ -52,15 +53,16 @@ def as_lone_room(
     """
     kind = knowledge.room(room.room_type)
     furniture = furniture_areas([room], [_in_room(thing, room) for thing in facts.objects]).get(room.name, 0.0)
-    area = room.area or next((quantity.value for quantity in facts.area), None)
-    usual = min(area or max(kind.usual, furniture), _LARGEST)
+    area = room.area or (None if room.suite else next((quantity.value for quantity in facts.area), None))
+    beside = sum((child.area or knowledge.room(child.room_type).usual) * (child.count or 1) for child in room.suite)
+    usual = min((area or max(kind.usual, furniture)) + beside, _LARGEST)
     alone = replace(
         building, floors=(1, 1), floor_area=(usual, usual), hub=kind.name, hub_upper="", parti="hall",
         storeys=dict.fromkeys(building.storeys, ()), main=frozenset(), needed=frozenset(), seats=None, places=None,
     )  # fmt: skip
-    named = replace(room, name=kind.name, label=room.label or room.name.replace("_", " "), area=area)
+    named = replace(room, name=kind.name, label=room.label or room.name.replace("_", " "), area=area, suite=())
     furnished = [_in_room(thing, named) if thing.room in ("", room.name) else thing for thing in facts.objects]
-    return alone, replace(facts, rooms=[named], objects=furnished)
+    return alone, replace(facts, rooms=[named, *room.suite], objects=furnished)
 
 
 def lone_outline(area: float) -> Polygon:
