@@ -38,7 +38,7 @@ def excepted_storeys(tokens: list[Token], floor_words: AbstractSet[str]) -> list
         every = 0 if found is None else _taken_from(tokens, index, floor_words)
         if found is None or not every or (found.listed == found.end and every == index):
             continue
-        words = replace(tokens[index], text="except"), *tokens[index + 1 : found.end]
+        words = replace(tokens[index], text="except"), *tokens[found.place : found.end]
         comma = index - (tokens[index - 1].text == "," and every < index)
         before = [*tokens[:every], *words, *tokens[every:comma]]
         if found.listed == found.end:

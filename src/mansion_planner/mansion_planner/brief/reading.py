@@ -46,6 +46,7 @@ from mansion_planner.brief.storeys_in_full import storeys_in_full
 from mansion_planner.brief.storeys_in_order import storeys_in_order
 from mansion_planner.brief.token_forms import (
     abbreviated_storeys,
+    areas_behind_capacities,
     capacities,
     compounds,
     decades,
@@ -253,7 +254,9 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     )
     tokens = flat_types(count_forms(storeys_by_use(mezzanines(storey_forms(text, tokens), FLOOR_WORDS), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
-    tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
+    tokens = workplaces(
+        foreign_storeys(open_decks(kinds_of_area(gross_areas(areas_behind_capacities(metering(tokens))))))
+    )
     tokens = stacked_flats(relative_areas(tokens), FLOOR_WORDS)
     tokens = activities(tokens)
     tokens = counted_compounds(

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from mansion_language import Token
+from mansion_language.units import AREA
 
 __all__ = [
     "abbreviated_storeys",
@@ -58,6 +59,19 @@ _GROSS = (
     ("built", "up", "area"), ("built", "-", "up", "area"), ("gfa",), ("gia",), ("gea",),
 )  # fmt: skip
 """What the area of all storeys is called in a schedule."""
+
+
+def areas_behind_capacities(tokens: list[Token]) -> list[Token]:
+    """Return tokens with "a hall for 10 buses 900 m2" as "a hall for 10 buses, 900 m2"."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        before = tokens[max(index - 3, 0) : index]
+        held = [other.kind for other in before] == ["word", "number", "word"] and before[2].plural
+        area = index + 1 < len(tokens) and tokens[index + 1].text in AREA
+        if token.kind == "number" and area and held and before[0].text == "for":
+            result.append(Token("mark", ",", before[2].end, before[2].end))
+        result.append(token)
+    return result
 
 
 def gross_areas(tokens: list[Token]) -> list[Token]:
