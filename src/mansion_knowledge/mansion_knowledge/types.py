@@ -239,6 +239,11 @@ class BuildingType:
     needed: frozenset[str] | None = None
     small: float = 0.0
 
+    @property
+    def alone(self) -> bool:
+        """Whether it is its hub and has no other rooms of its own."""
+        return not any(self.storeys.values())
+
 
 @dataclass(frozen=True)
 class BuildingGroups:

@@ -112,3 +112,21 @@ def test_rooms_of_a_flat_are_counted_with_its_living_room() -> None:
 def test_one_flat_is_still_the_building() -> None:
     program = plan_building(BuildRequest(description="A two-bed flat with a kitchen")).program
     assert (program.kind, _flats("A two-bed flat with a kitchen")) == ("flat", {})
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A storage centre with 40 units of 8 m2.",
+        "Self-storage with 40 units of 8 m2.",
+        "A warehouse with 40 storage units of 8 m2.",
+    ],
+)
+def test_units_of_a_self_storage_are_no_flats(text: str) -> None:
+    (units,) = read_brief(text, default_knowledge()).rooms
+    assert (units.room_type, units.count, units.area) == ("storage_unit", 40, 8.0)
+
+
+def test_a_semi_is_a_house() -> None:
+    facts = read_brief("3 bed semi. Downstairs loo.", default_knowledge())
+    assert [name for name, _ in facts.building] + [facts.building_name] == ["townhouse", "semi_detached_house"]

@@ -146,3 +146,15 @@ def test_there_are_two(words: str) -> None:
 
 def test_one_storey_stays_one() -> None:
     assert [quantity.value for quantity in read("A shop on one storey with a store.").floors] == [1.0]
+
+
+@pytest.mark.parametrize("mark", [":", " -", " has"])
+def test_a_number_before_each_storey_that_heads_a_list_is_its_own(mark: str) -> None:
+    text = f"Villa, 3 floor. 1 floor{mark} pool. 2 floor{mark} four bedrooms. 3 floor{mark} sauna."
+    facts = read_brief(text, default_knowledge())
+    assert [quantity.value for quantity in facts.floors] == [3.0]
+    assert [(room.room_type, room.floors[0].first) for room in facts.rooms] == [
+        ("indoor_pool", 1),
+        ("bedroom", 2),
+        ("sauna", 3),
+    ]

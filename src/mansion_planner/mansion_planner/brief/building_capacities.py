@@ -56,7 +56,8 @@ _OWN = frozenset({"has", "have", "get", "need", "with", "needs", "gets", "a", "a
 def children_groups(tokens: list[Token]) -> list[Token]:
     """Return the tokens with groups as group rooms, where the brief does not name these itself."""
     texts = [token.text for token in tokens]
-    if _HOUSES.isdisjoint(texts) or ("group", "room") in itertools.pairwise(texts):
+    named = ("group", "room") in itertools.pairwise(texts) or _tells_their_rooms(texts)
+    if _HOUSES.isdisjoint(texts) or named:
         return tokens
     result: list[Token] = []
     index, counted = 0, False
@@ -78,6 +79,17 @@ def children_groups(tokens: list[Token]) -> list[Token]:
         result.append(token)
         index += 1
     return result
+
+
+def _tells_their_rooms(texts: list[str]) -> bool:
+    """Whether the brief tells what room each group plays in: "each group has a playroom and a nap room"."""
+    return any(
+        texts[at] in ("each", "every") and texts[at + 1] == "group" and not _PLAYING.isdisjoint(texts[at + 2 : at + 7])
+        for at in range(len(texts) - 2)
+    )
+
+
+_PLAYING = frozenset({"playroom", "play", "activity"})
 
 
 def _room(token: Token, *, plural: bool) -> Token:

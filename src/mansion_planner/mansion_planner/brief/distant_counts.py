@@ -205,7 +205,7 @@ def read_counts_by_storey(
 def _end_of_count(reading: Reading, index: int) -> int:
     """Return the token after a number and "of them" or "more"."""
     last = index + 1
-    if reading.words(last, last + 2) in (("of", "them"), ("of", "these"), ("of", "those")):
+    if reading.words(last, last + 2) in (("of", "them"), ("of", "these"), ("of", "those"), ("of", "which")):
         last += 2
     return last + (reading.word(last) in ("more", "other", "others", "further"))
 
@@ -223,8 +223,10 @@ def _counted_before(reading: Reading, phrases: list[Phrase], households: Househo
     lead = index - 1
     while lead in reading.taken and reading.word(lead) in ("the", *_LEFT_OVER):
         lead -= 1
-    opens = reading.word(lead) in (",", ":", "and", "-", "(", "–", ";")
-    return before[-1] if before and opens else None
+    opens = reading.word(lead) in (",", ":", "and", "-", "(", "–", ";") or reading.words(lead - 1, index) == _OF_WHICH
+    things = [p for p in phrases if p.last <= index and p.head in ("object", "people") and p.counted]
+    others = before and any(p.first > phrases[before[-1]].first for p in things)  # "60 seats here and 20 upstairs"
+    return before[-1] if before and opens and not others else None
 
 
 def _state_storeys(reading: Reading, total: Phrase, many: int, span: Span) -> None:
@@ -242,6 +244,8 @@ def _leave_out_what_is_shared_out(phrases: list[Phrase], parts: Sequence[tuple[i
         if whole or (not total.counted and total.plural):
             phrases[number] = replace(total, head="unknown")
 
+
+_OF_WHICH = ("of", "which")
 
 _LEFT_OVER = frozenset({"remaining", "other", "last", "further"})
 """Words before the number of the rooms that are left: "and the remaining three on level 4"."""
@@ -392,6 +396,8 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
         ):
             continue
         subject = reading.word(index + 1)
+        if reading.word(index + 2) in FLOOR_WORDS:
+            continue  # "every tenant floor" is a storey
         if subject in _HAVING and reading.word(index - 1) == "," and reading.kind(index - 3) == "number":
             subject = reading.word(index - 2)  # "60 children in 3 groups, each with a toilet"
             if any(p.begin <= index - 2 < p.noun_end and p.head in ("room", "building", "object") for p in phrases):

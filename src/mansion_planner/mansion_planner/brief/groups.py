@@ -5,12 +5,13 @@ A group is no room by itself: what each of them holds is said of it, as of a fla
 
 from dataclasses import replace
 
+from mansion_planner.brief.facts import RoomFact
 from mansion_planner.brief.own_names import capitals
 from mansion_planner.brief.phrase import Phrase, finished_phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.room_users import one_of
 
-__all__ = ["groups_of_rooms", "named_again"]
+__all__ = ["groups_of_rooms", "named_again", "with_room_of_group"]
 
 _NOUNS = frozenset(
     {"household", "group", "department", "practice", "section", "wing", "pod", "team", "unit", "family", "station"}
@@ -97,3 +98,16 @@ def named_again(reading: Reading, group: list[Phrase]) -> list[Phrase]:
                     replace(room, first=index, begin=index, noun_end=end, last=end, counted=False, determiner="the")
                 )
     return found
+
+
+_MAIN_ROOMS = frozenset({"playroom", "kindergarten_classroom"})
+"""Rooms in which a group spends its day: it has no other room beside them."""
+
+
+def with_room_of_group(fact: RoomFact) -> RoomFact:
+    """Return the rooms of groups that are told by the one in which they play, what else each has beside that one."""
+    own = [room for room in fact.suite if room.room_type in _MAIN_ROOMS]
+    if fact.known or fact.room_type != "common_room" or len(own) != 1 or own[0].count != 1:
+        return fact
+    beside = tuple(room for room in fact.suite if room is not own[0])
+    return replace(own[0], count=fact.count, floors=fact.floors, each=fact.each, exact=fact.exact, suite=beside)

@@ -43,6 +43,7 @@ from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.finishes import read_heights, read_materials, read_style
 from mansion_planner.brief.fittings import leave_out_containers, read_fittings
 from mansion_planner.brief.furnishings import read_furnishings
+from mansion_planner.brief.groups import with_room_of_group
 from mansion_planner.brief.households import read_households
 from mansion_planner.brief.later_mentions import (
     elsewhere_by_another_word,
@@ -61,7 +62,13 @@ from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import read_relations, state_relations
 from mansion_planner.brief.retractions import without_retractions, without_taken_back
 from mansion_planner.brief.room_facts import RoomStatements
-from mansion_planner.brief.room_groups import desks_as_places, read_desk_areas, rooms_by_name, with_blocks
+from mansion_planner.brief.room_groups import (
+    desks_as_places,
+    read_desk_areas,
+    rooms_by_name,
+    with_blocks,
+    without_announced,
+)
 from mansion_planner.brief.room_names import told_by_its_words
 from mansion_planner.brief.rooms_by_building import room_for_building
 from mansion_planner.brief.sanitary_rooms import by_what_else_is_named, read_washing_fittings
@@ -125,7 +132,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     place_all_others(reading, exception)
     reading.go_on()
     read_copies(reading, places)
-    reading.facts.rooms = [with_bathrooms_by_name(fact) for fact in reading.facts.rooms]
+    reading.facts.rooms = [with_room_of_group(with_bathrooms_by_name(fact)) for fact in reading.facts.rooms]
     give_rooms_to_copies(reading.facts)
     read_clutter_words(reading, phrases)
     read_style(reading, named=False)
@@ -164,7 +171,7 @@ class _Reader:
         left = {old.last for old, new in zip(named, own, strict=True) if old.head != new.head}
         if self.opening is not None and self.opening[3] in left:
             self.opening = None  # "the flat is bursting: we want a house"
-        phrases = rooms_of_several_uses(reading, own)
+        phrases = rooms_of_several_uses(reading, without_announced(reading, own))
         phrases = with_some_en_suite(reading, with_blocks(reading, phrases))
         phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
         read_shares(reading, phrases)
@@ -285,7 +292,9 @@ class _Reader:
         if opening is not None:
             rooms_before = any(p.begin < opening[2] for p in phrases if p.head == "room")
             known = number is not None and reading.sentence[phrases[number].first] <= reading.sentence[opening[2]]
-            wanted = number is not None and is_asked_for(reading, phrases[number].first)
+            wanted = number is not None and (
+                is_asked_for(reading, phrases[number].first) or reading.starts(phrases[number].first)
+            )
             asked = wanted and is_the_writer(reading, opening[2])
             if known or asked or rooms_before or not (number is None or opening[1]):
                 opening = None

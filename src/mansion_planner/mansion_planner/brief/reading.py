@@ -13,13 +13,17 @@ from mansion_planner.brief.conversions import without_conversions
 from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.counted_compounds import BUILDING_HEADS, counted_compounds
+from mansion_planner.brief.counted_parts import counted_parts
 from mansion_planner.brief.earlier_briefs import without_recalled_wishes, without_withdrawn_briefs
+from mansion_planner.brief.excepted_storeys import excepted_storeys
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.glosses import without_glosses
 from mansion_planner.brief.labelled_rooms import kinds_of_rooms, labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.masters_bathroom import masters_bathroom
+from mansion_planner.brief.mezzanines import mezzanines
+from mansion_planner.brief.numerals_in_turn import numerals_in_turn
 from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.relative_areas import relative_areas
 from mansion_planner.brief.rooms_by_number import in_digits, rooms_by_number
@@ -33,9 +37,11 @@ from mansion_planner.brief.spoken_turns import spoken_turns
 from mansion_planner.brief.stacked_flats import stacked_flats
 from mansion_planner.brief.storey_forms import added_storeys, storey_forms, storey_tables
 from mansion_planner.brief.storeys_by_use import storeys_by_use
+from mansion_planner.brief.storeys_in_full import storeys_in_full
 from mansion_planner.brief.storeys_in_order import storeys_in_order
 from mansion_planner.brief.token_forms import (
     abbreviated_storeys,
+    areas_behind_capacities,
     capacities,
     compounds,
     decades,
@@ -236,11 +242,15 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
         paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS))))
     )
     tokens = storey_tables(abbreviated_storeys(text, decades(equal_rooms(tokens, FLOOR_WORDS))), FLOOR_WORDS)
-    tokens = rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS))
-    tokens = unit_totals(storeys_in_order(tokens, FLOOR_WORDS), FLOOR_WORDS)
-    tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
+    tokens = counted_parts(numerals_in_turn(rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS))))
+    tokens = unit_totals(
+        storeys_in_order(excepted_storeys(storeys_in_full(tokens, FLOOR_WORDS), FLOOR_WORDS), FLOOR_WORDS), FLOOR_WORDS
+    )
+    tokens = flat_types(count_forms(storeys_by_use(mezzanines(storey_forms(text, tokens), FLOOR_WORDS), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
-    tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
+    tokens = workplaces(
+        foreign_storeys(open_decks(kinds_of_area(gross_areas(areas_behind_capacities(metering(tokens))))))
+    )
     tokens = stacked_flats(relative_areas(tokens), FLOOR_WORDS)
     tokens = activities(tokens)
     tokens = counted_compounds(

@@ -49,6 +49,7 @@ _BESIDE = [
     ("reached", "via"),
     ("visible", "from"),
     ("overlooking",),
+    *[(verb, to) for verb in ("look", "looking") for to in ("onto", "into")],
     *[
         (word, to)
         for word in ("contiguous", "connection", "passage", "neighbour", "neighbor", "beside", "contact", "bordering")

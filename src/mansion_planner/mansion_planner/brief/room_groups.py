@@ -1,4 +1,4 @@
-"""Read rooms told as a group, "a cell block of 20 cells", "three game rooms (tomb, attic)", and desks as places."""
+"""Read rooms told as a group, "a cell block of 20 cells", or named, "three game rooms (tomb, attic)", and desks."""
 
 from dataclasses import replace
 
@@ -6,7 +6,7 @@ from mansion_planner.brief.facts import BriefFacts, ObjectFact
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["desks_as_places", "read_desk_areas", "rooms_by_name", "with_blocks"]
+__all__ = ["desks_as_places", "read_desk_areas", "rooms_by_name", "with_blocks", "without_announced"]
 
 _GROUPS = frozenset({"block", "wing", "cluster"})
 _LISTS = frozenset({"of", "with", "containing", "holding", "having", ":", "("})
@@ -69,6 +69,39 @@ def read_desk_areas(facts: BriefFacts) -> None:
                 noun=room.label,
             )
         )
+
+
+_PURPOSE = 8
+"""Words between a room and the colon after which it is named, at most: "a room for testing a robot: a kitchen"."""
+
+
+def without_announced(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
+    """Return phrases without a room that is named right after it: "one single room: a kitchen" is a kitchen."""
+    out = list(phrases)
+    for number, phrase in enumerate(phrases[:-1]):
+        named = phrases[number + 1]
+        plain = "room" in reading.words(phrase.first, min(phrase.noun_end, phrase.first + 2)) and not phrase.plural
+        if phrase.head != "room" or not plain or named.head != "room" or not named.known or named.plural:
+            continue
+        colon = next((at for at in range(phrase.last, phrase.last + _PURPOSE) if reading.word(at) == ":"), 0)
+        between = range(phrase.last, colon)
+        led = (
+            colon
+            and named.begin - colon <= _LED
+            and not any(reading.breaks(at) or reading.word(at) == "," for at in between)
+        )
+        others = any(
+            p.head == "room" and p is not named and reading.sentence[p.first] == reading.sentence[named.first]
+            for p in phrases[number + 2 :]
+        )
+        if led and not others:
+            out[number] = replace(phrase, head="unknown")
+            reading.take(phrase.first - (reading.kind(phrase.first - 1) == "number"), colon)
+    return out
+
+
+_LED = 3
+"""Tokens from the colon to the noun of the room that it leads to, at most."""
 
 
 def rooms_by_name(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:

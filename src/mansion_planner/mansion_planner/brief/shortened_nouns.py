@@ -1,6 +1,7 @@
 """Give the noun to what is named without it: "12 doubles per floor", "an office, open-plan", "2 two-beds"."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 from mansion_language import Token
 
@@ -30,7 +31,7 @@ def shortened_nouns(tokens: list[Token]) -> list[Token]:
 
     The stations of a hairdresser are styling chairs.
     """
-    tokens = _without_storey_of_flat(_with_baths_behind(tokens))
+    tokens = _without_storey_of_flat(_with_baths_behind(_with_full_names(tokens)))
     texts = {token.text for token in tokens}
     result: list[Token] = []
     for index, token in enumerate(tokens):
@@ -74,6 +75,43 @@ def shortened_nouns(tokens: list[Token]) -> list[Token]:
 
 def _text(tokens: list[Token], index: int) -> str:
     return tokens[index].text if 0 <= index < len(tokens) else ""
+
+
+_SEMI = ("semi", "detached", "house")
+_FOR_STORAGE = frozenset({("self", "storage"), ("storage", "unit"), ("storage", "center"), ("storage", "centre")})
+
+
+def _with_full_names(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with "3 bed semi" as a semi-detached house, and the units of a self-storage as for storage."""
+    pairs = set(pairwise(token.text for token in tokens))
+    stored = not pairs.isdisjoint(_FOR_STORAGE)
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        before, after = _text(tokens, index - 1), _text(tokens, index + 1)
+        if _lives_and_works(tokens, index):
+            continue
+        if token.text == "semi" and after in _ENDS:
+            result += [replace(token, text=word, plural=False) for word in _SEMI]
+            continue
+        counted = index > 0 and tokens[index - 1].kind == "number"
+        if token.text == "unit" and stored and (counted or before in _OF_EACH | {"large", "small"} or after == ":"):
+            result.append(Token("word", "storage", token.start, token.start))
+        result.append(token)
+    return result
+
+
+_LIVE_WORK = (("live", "/", "work"), ("live", "work"), ("work", "/", "live"), ("living", "/", "working"))
+_STUDIOS = frozenset({"studio", "unit", "loft", "apartment", "flat"})
+
+
+def _lives_and_works(tokens: list[Token], index: int) -> bool:
+    """Whether a token is one of "live/work" before a studio, which is a dwelling all the same."""
+    for words in _LIVE_WORK:
+        for first in range(index - len(words) + 1, index + 1):
+            said = tuple(token.text for token in tokens[max(first, 0) : first + len(words)])
+            if said == words and _text(tokens, first + len(words)) in _STUDIOS:
+                return True
+    return False
 
 
 def _with_baths_behind(tokens: list[Token]) -> list[Token]:

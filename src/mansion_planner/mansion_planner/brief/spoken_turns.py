@@ -31,7 +31,7 @@ def spoken_turns(tokens: list[Token]) -> list[Token]:
     say, 45 m2" becomes "of 45 m2", "a reading corner as a separate room of 18 m2" and "a bedroom too, 7 m2" lose the
     words that only say that there is such a room.
     """
-    tokens = _denied_again(_headed_storeys(tokens))
+    tokens = _denied_again(_headed_storeys(_with_size_behind(tokens)))
     result: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -49,6 +49,20 @@ def spoken_turns(tokens: list[Token]) -> list[Token]:
             result.append(_storey_of_some(tokens, index))
             index += 1
     return result
+
+
+_TITLE = 6
+"""Tokens of a sentence that only names what is asked for, at most: "Just a bathroom"."""
+
+
+def _with_size_behind(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with "Just a bathroom. 6 m2, with a bathtub" as one sentence: the size is that of the room."""
+    end = next((index for index, token in enumerate(tokens) if token.text in (".", "!")), 0)
+    area = [token.kind for token in tokens[end + 1 : end + 3]] == ["number", "unit"]
+    listed = [token.text for token in tokens[end + 3 : end + 5]] == [",", "with"]
+    if not 1 < end <= _TITLE or not (area and listed):
+        return tokens
+    return [*tokens[:end], replace(tokens[end], text=","), *tokens[end + 1 :]]
 
 
 _AGAIN = (

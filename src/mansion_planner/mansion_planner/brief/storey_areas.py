@@ -86,6 +86,7 @@ def _is_of_storeys_before(reading: Reading, measure: Measure, before: list[str],
         index -= 1
     if reading.word(index) == "," and apiece:
         index -= 1
+    index -= apiece and reading.word(index) in ("ground", "grade") and reading.word(index - 1) == "above"
     index -= apiece and reading.word(index) in ("above", "over", "up")  # "three floors above, of 600 m2 each"
     if reading.word(index) not in FLOOR_WORDS:
         return False

@@ -66,7 +66,7 @@ def storey_forms(text: str, tokens: list[Token]) -> list[Token]:
         else:
             result += found[0]
             index = found[1]
-    return _with_ranges(text, _layers(result))
+    return _with_ranges(text, _layers(_numbers_behind(result)))
 
 
 class _Forms:
@@ -291,6 +291,34 @@ class _Forms:
         if token.text in ("planta", "piso") and following in ("alta", "superior"):
             return [replace(token, text="upper"), replace(self.tokens[index + 1], text="floor")], index + 2
         return None
+
+
+def _numbers_behind(tokens: list[Token]) -> list[Token]:
+    """Return tokens with "1 floor: pool ... 2 floor: rooms" as floor 1 and floor 2, where no other storeys have names.
+
+    Languages in which the noun follows its ordinal number lead people to write so.
+    """
+    heads = [
+        index
+        for index in range(len(tokens) - 2)
+        if tokens[index].kind == "number"
+        and tokens[index + 1].text in _NUMBERED
+        and tokens[index + 2].text in _AFTER_HEADS
+        and (index == 0 or tokens[index - 1].text in _BEFORE_HEADS)
+    ]
+    if [tokens[index].value for index in heads] != list(range(1, len(heads) + 1)) or len(heads) < _HEADS:
+        return tokens
+    result = list(tokens)
+    for index in heads:
+        result[index : index + 2] = [replace(tokens[index + 1], plural=False), tokens[index]]
+    return result
+
+
+_NUMBERED = frozenset({"floor", "storey", "level", "story"})
+_BEFORE_HEADS = frozenset({".", ";", "\n", "!", "?", "*", "-", "on", "in", "at"})
+_AFTER_HEADS = frozenset({":", "-", "–", "=", "is", "has", "have", "with"})
+_HEADS = 2
+"""Storeys that are headed so, at least: one alone may be the number of storeys."""
 
 
 def _layers(tokens: list[Token]) -> list[Token]:

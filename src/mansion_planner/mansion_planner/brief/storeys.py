@@ -47,6 +47,9 @@ def read_storeys(reading: Reading) -> list[Place]:
     return resolve_rest(places, floors)
 
 
+_LIVED_IN = frozenset({"tenant", "guest", "bedroom", "patient", "student", "ward", "dormitory"})
+"""Words before "floor" for those above the entrance: "every tenant floor has two meeting rooms"."""
+
 _MAY = frozenset({"can", "may", "could", "might"})
 """Verbs of what is left open: one storey or the other, and not both."""
 
@@ -553,7 +556,9 @@ class _Scanner:
         if counted and reading.value(last) > 1 and not reading.facts.floors:
             reading.facts.floors.append(Quantity(reading.value(last), reading.span(last, last + 2)))
         last += reading.kind(last) == "number"
-        upper = reading.word(last) in UPSTAIRS
+        upper = reading.word(last) in UPSTAIRS or (
+            reading.word(last) in _LIVED_IN and reading.word(last + 1) in FLOOR_WORDS
+        )
         repeated = reading.word(last) in ("typical", "identical")
         last += upper or repeated or reading.word(last) in ("residential", "office")
         if reading.word(last) not in FLOOR_WORDS:

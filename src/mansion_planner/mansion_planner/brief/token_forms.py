@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from mansion_language import Token
+from mansion_language.units import AREA
 
 __all__ = [
     "abbreviated_storeys",
@@ -58,6 +59,19 @@ _GROSS = (
     ("built", "up", "area"), ("built", "-", "up", "area"), ("gfa",), ("gia",), ("gea",),
 )  # fmt: skip
 """What the area of all storeys is called in a schedule."""
+
+
+def areas_behind_capacities(tokens: list[Token]) -> list[Token]:
+    """Return tokens with "a hall for 10 buses 900 m2" as "a hall for 10 buses, 900 m2"."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        before = tokens[max(index - 3, 0) : index]
+        held = [other.kind for other in before] == ["word", "number", "word"] and before[2].plural
+        area = index + 1 < len(tokens) and tokens[index + 1].text in AREA
+        if token.kind == "number" and area and held and before[0].text == "for":
+            result.append(Token("mark", ",", before[2].end, before[2].end))
+        result.append(token)
+    return result
 
 
 def gross_areas(tokens: list[Token]) -> list[Token]:
@@ -285,8 +299,29 @@ def _ends_sentence(text: str, tokens: list[Token], index: int) -> bool:
     return following.text == "\n" or text[following.start].isupper()
 
 
+def _attached_to_each(tokens: list[Token]) -> list[Token]:
+    """Read "two courtrooms with a chamber attached to each" as "two courtrooms, each with a chamber"."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        link = tokens[index - 1].text if index else ""
+        end = len(result) - 1 if link == "to" else len(result)
+        joined = token.text in ("each", "both") and end > 0 and result[end - 1].text in _ATTACHED
+        closed = index + 1 == len(tokens) or tokens[index + 1].text in (",", ".", ";", "\n", ")", "and")
+        start = next((at for at in range(end - 2, max(end - 8, 0), -1) if result[at].text == "with"), 0)
+        if not (joined and closed and start):
+            result.append(token)
+            continue
+        comma = replace(result[start], kind="mark", text=",", end=result[start].start)
+        result[start:] = [comma, replace(token, text="each"), *result[start : end - 1]]
+    return result
+
+
+_ATTACHED = frozenset({"attached", "adjoining", "connected", "annexed", "adjacent", "next", "beside"})
+
+
 def owned_by_each(tokens: list[Token]) -> list[Token]:
     """Read "every bedroom own bathroom" as "every bedroom its own bathroom"."""
+    tokens = _attached_to_each(tokens)
     result: list[Token] = []
     for index, token in enumerate(tokens):
         before = [other.text for other in tokens[max(index - 3, 0) : index]]

@@ -75,6 +75,8 @@ def _homes(tokens: list[Token]) -> tuple[int, int, int] | None:
         noun = texts.index("duplex")
         return noun, noun, 2
     for first, token in enumerate(tokens):
+        if (families := _families(tokens, first)) is not None:
+            return families
         if token.kind != "number" or not 2 <= token.value <= _MOST or token.value != int(token.value):
             continue
         noun, said = first + 1, set[str]()
@@ -89,6 +91,16 @@ def _homes(tokens: list[Token]) -> tuple[int, int, int] | None:
         if beside and plain and "on" not in said:
             return first, noun, int(token.value)
     return None
+
+
+def _families(tokens: list[Token], first: int) -> tuple[int, int, int] | None:
+    """Return the same of a house for several families whose homes share a wall: "two-family house, side by side"."""
+    number, texts = tokens[first], [token.text for token in tokens[first + 1 : first + 12]]
+    named = number.kind == "number" and 2 <= number.value <= _MOST and texts[:1] == ["family"]
+    if not named or texts[1:2] not in (["house"], ["home"], ["building"]):
+        return None
+    beside = any(tuple(texts[at : at + 3]) == _SIDES[0] for at in range(len(texts)))
+    return (first, first + 2, int(number.value)) if beside or not _SIDE_BY_SIDE.isdisjoint(texts[2:8]) else None
 
 
 def _each_of_them(tokens: list[Token], index: int) -> tuple[int, int, int] | None:
@@ -152,7 +164,12 @@ def _with_all_areas(tokens: list[Token], many: int) -> list[Token]:
         each = after[:1] in (["each"], ["apiece"]) or (
             after[:1] in (["per"], ["a"]) and after[1:] and after[1] in _HOMES
         )
-        if times and token.value == many:
+        before = [other.text for other in result[-2:]]
+        of_each = len(before) > 1 and before[0] in ("each", "every", "per") and before[1] in _HOMES
+        if apiece and of_each:
+            result[-2:] = [_total(token, token.value * many), tokens[index + 1]]
+            index += 2
+        elif times and token.value == many:
             area = tokens[index + 2]
             result += [_total(replace(area, start=token.start), area.value * many), tokens[index + 3]]
             index += 4

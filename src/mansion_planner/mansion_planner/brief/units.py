@@ -168,8 +168,14 @@ class _Units:
         for number, phrase in enumerate(self.phrases):
             whole = self._is_level(phrase) or (not phrase.known and phrase.name in ("building", "block"))
             row = phrase.name in ("terrace", "row") and self.reading.word(phrase.last) == "of"
-            if whole or row:
+            if whole or row or self._is_wing(phrase):
                 self.phrases[number] = replace(phrase, head="unknown")
+
+    def _is_wing(self, phrase: Phrase) -> bool:
+        """Whether a wing is only where rooms are: "east wing with six classrooms", "the other wing: kitchen"."""
+        last = phrase.name.rpartition("_")[2]
+        one = not phrase.plural and phrase.determiner not in ALL
+        return last in ("wing", "wings") and phrase.head == "room" and not phrase.known and one
 
     def _is_level(self, phrase: Phrase) -> bool:
         """Whether "flat" tells the form of something: "a flat roof", "a flat simple rectangular plan"."""

@@ -168,8 +168,8 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
 
 
 def _complete_storeys(decisions: Decisions, storeys: Sequence[Storey]) -> frozenset[int]:
-    """Return the storeys on which the brief names all rooms."""
-    if decisions.facts.only:
+    """Return the storeys on which the brief names all rooms; all of them where its building has none of its own."""
+    if decisions.facts.only or decisions.building.alone:
         return frozenset(storey.index for storey in storeys)
     return frozenset(floor for _, refs in decisions.facts.only_on for floor in floors_of(refs, decisions))
 

@@ -15,6 +15,7 @@ from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.program.building_size import ProgramSize, called_size, people_of, size_of_program, within_called
 from mansion_planner.program.footprint import check_footprint, is_rectangle
+from mansion_planner.program.lone_rooms import as_lone_room, lone_outline, lone_room
 from mansion_planner.program.room_parts import with_master_suite, with_room_parts
 from mansion_planner.program.shape_sizes import most_storeys
 from mansion_planner.program.usual_meanings import as_meant_in, with_main_room
@@ -104,6 +105,9 @@ def decide(
     given_way: list[Downgrade] = []
     stated, facts = facts, _settled(facts, given_way)
     building = _building(facts, knowledge, trace)
+    if (lone := lone_room(facts, knowledge)) is not None:
+        note(trace, lone.span, "one room, and nothing besides")
+        building, facts = as_lone_room(building, facts, lone, knowledge)
     building = _without_unwanted_hub(building, facts)
     stated, facts = as_meant_in(building, stated), as_meant_in(building, facts)
     facts = with_room_parts(building, with_main_room(building, facts))
@@ -128,7 +132,19 @@ def decide(
         _area_of_footprint(request, decisions)
     else:
         _settle_area(request, decisions, size, generator, knowledge)
+        _outline_of_lone_room(decisions)
     return decisions
+
+
+def _outline_of_lone_room(decisions: Decisions) -> None:
+    """Give a building that is one room an outline as large as the room, unless the brief wants another form."""
+    building, facts = decisions.building, decisions.facts
+    if not building.alone or any(shape != "rectangle" for shape, _ in facts.shapes):
+        return
+    if not decisions.area_stated:
+        decisions.area = building.floor_area[1]
+    decisions.outline = lone_outline(decisions.area)
+    decisions.area, decisions.area_stated = float(decisions.outline.area), True
 
 
 def _without_unwanted_hub(building: BuildingType, facts: BriefFacts) -> BuildingType:

@@ -104,7 +104,8 @@ def is_hall(decisions: Decisions) -> bool:
     if decisions.building.family == "home" and (storeyed or passage or bedrooms >= _APART):
         return False
     plain = not facts.shapes or facts.shapes[0][0] in ("rectangle", "square")
-    own = any(fact.room_type == hub and (fact.name != hub or fact.area) for fact in facts.rooms)
+    named = any(fact.room_type == hub and (fact.name != hub or fact.area) for fact in facts.rooms)
+    own = named and not decisions.building.alone
     excluded = any(name == hub for name, _ in facts.excluded)
     return decisions.building.parti == "hall" and plain and not decisions.free_form and not own and not excluded
 
