@@ -8,6 +8,7 @@ from shapely.geometry import LineString, Polygon, box
 from shapely.geometry.base import BaseGeometry
 
 from mansion_export.exterior.entrances import outer_doors, outward
+from mansion_export.exterior.fronts import front_of
 from mansion_export.exterior.grounds import Patch, fence_parts, patch_of, patch_parts
 from mansion_export.exterior.parking import BAY, bays, parked_cars
 from mansion_export.exterior.plants import along_walls, shrubs, tree, tree_places
@@ -96,7 +97,7 @@ def plot_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
         yield Node(f"{prefix}/shrubs", f"{prefix}/shrubs", "site"), row
     # Crowns may overhang the edge of the plot, but neither walls nor ways, and they hide no front.
     free = green.difference(slab.buffer(TREE_CLEAR)).difference(paths.buffer(TREE_CLEAR)).buffer(-1.0)
-    free = free.difference(_before_windows(slab, margin))
+    free = free.difference(_before_windows(slab, margin)).difference(_before_front(scene, margin))
     for door in outer_doors(scene):
         free = free.difference(shapely.Point(door.segment[0]).buffer(DOORSTEP))
     for patch in patches:
@@ -114,6 +115,15 @@ def _before_windows(slab: Polygon, margin: float) -> BaseGeometry:
     return shapely.union(
         box(x0 + across, y0 - far, x1 - across, y1 + far), box(x0 - far, y0 + along, x1 + far, y1 - along)
     )
+
+
+def _before_front(scene: FloorScene, margin: float) -> BaseGeometry:
+    """Return the ground before the whole front of a building: from the street one sees it, and its sign."""
+    front = front_of(scene)
+    if front is None:
+        return Polygon()
+    deep = 2 * margin
+    return Polygon([front.at(front.low), front.at(front.high), front.at(front.high, deep), front.at(front.low, deep)])
 
 
 def _ground(shape: BaseGeometry, top: float, material: Material, *, bottom: float = GROUND - 0.1) -> list[Surface]:

@@ -1,4 +1,4 @@
-"""Textures of materials for pictures: shrunk to a view's scale, and read at a place on their tile."""
+"""Textures of materials for pictures: shrunk to a view's scale."""
 
 import io
 from dataclasses import dataclass
@@ -10,9 +10,9 @@ import numpy as np
 from mansion_assets.materials import material_set, set_names, texture_set
 from mansion_export.meshes.model import Material
 from mansion_export.pictures.array_cache import ArrayCache
-from mansion_geometry.compiled import Floats, Ints, kernel
+from mansion_geometry.compiled import Floats, Ints
 
-__all__ = ["Tiles", "base_color", "sampled", "texture_number", "tiles_at"]
+__all__ = ["Tiles", "base_color", "texture_number", "tiles_at"]
 
 
 SEEN = 0.02
@@ -102,22 +102,3 @@ def _texels(name: str) -> Floats:
     pixels = np.asarray(Image.open(io.BytesIO(made.base)).convert("RGB"), dtype=np.float64) / 255.0
     texels: Floats = pixels if made.own_colours else pixels / np.array(made.level)
     return texels
-
-
-@kernel
-def sampled(texels: Floats, frame: Ints, size: Floats, u: float, v: float) -> tuple[float, float, float]:
-    """Return a tile's value at a place in metres, weighted between the four nearest texels."""
-    first, columns, rows = frame
-    x, y = u / size[0] * columns - 0.5, -v / size[1] * rows - 0.5
-    left, top = np.floor(x), np.floor(y)
-    across, down = x - left, y - top
-    i0, j0 = int(left) % columns, int(top) % rows
-    i1, j1 = (i0 + 1) % columns, (j0 + 1) % rows
-    a, b = first + j0 * columns, first + j1 * columns
-    p, q = (1.0 - across) * (1.0 - down), across * (1.0 - down)
-    r, s = (1.0 - across) * down, across * down
-    return (
-        p * texels[a + i0, 0] + q * texels[a + i1, 0] + r * texels[b + i0, 0] + s * texels[b + i1, 0],
-        p * texels[a + i0, 1] + q * texels[a + i1, 1] + r * texels[b + i0, 1] + s * texels[b + i1, 1],
-        p * texels[a + i0, 2] + q * texels[a + i1, 2] + r * texels[b + i0, 2] + s * texels[b + i1, 2],
-    )
