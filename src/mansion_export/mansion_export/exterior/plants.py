@@ -25,7 +25,7 @@ APART: Final = 5.0
 SHRUB: Final = 1.1
 """Between the middles of two shrubs of a row, metres."""
 
-_CROWN: Final = ((6, 0.2, 0.52, 0.62, 0.12), (5, 0.15, 0.68, 0.78, 0.13), (2, 0.05, 0.84, 0.88, 0.11))
+_CROWN: Final = ((7, 0.2, 0.42, 0.54, 0.13), (6, 0.17, 0.6, 0.72, 0.13), (3, 0.08, 0.8, 0.86, 0.12))
 """Clumps of leaves by rings from below: how many, how far out, between which heights, and how large, in heights."""
 
 
@@ -51,7 +51,7 @@ def tree(x: float, y: float, height: float, ground: float) -> list[Surface]:
     """Return a trunk with a crown of several clumps of leaves, no two trees alike."""
     generator = item_generator(round(1000 * (x + 7 * y)), "crown")
     trunk = Box((x, y, ground + 0.27 * height), (0.17, 0.17, 0.54 * height))
-    clumps = [_clump((x, y, ground + 0.68 * height), 0.21 * height, generator)]
+    clumps = [_clump((x, y, ground + 0.62 * height), 0.22 * height, generator)]
     for number, out, low, high, size in _CROWN:
         first = float(generator.uniform(0.0, 1.0))
         for k in range(number):

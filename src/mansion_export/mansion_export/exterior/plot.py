@@ -36,6 +36,9 @@ SHRUBS: Final = 0.75
 ENDS: Final = 0.22
 """Share of a side of the building at either end before which trees stand."""
 
+BESIDE: Final = 3.0
+"""How far behind the line of the front no trees stand beside it, metres."""
+
 APRON: Final = 4.0
 """Asphalt beside the way to a door for vehicles, both sides together, metres."""
 
@@ -118,12 +121,12 @@ def _before_windows(slab: Polygon, margin: float) -> BaseGeometry:
 
 
 def _before_front(scene: FloorScene, margin: float) -> BaseGeometry:
-    """Return the ground before the whole front of a building: from the street one sees it, and its sign."""
+    """Return the ground before a building's front and around its corners: from the street one sees it, and its sign."""
     front = front_of(scene)
     if front is None:
         return Polygon()
-    deep = 2 * margin
-    return Polygon([front.at(front.low), front.at(front.high), front.at(front.high, deep), front.at(front.low, deep)])
+    low, high, far = front.low - 2 * margin, front.high + 2 * margin, 2 * margin
+    return Polygon([front.at(low, -BESIDE), front.at(high, -BESIDE), front.at(high, far), front.at(low, far)])
 
 
 def _ground(shape: BaseGeometry, top: float, material: Material, *, bottom: float = GROUND - 0.1) -> list[Surface]:

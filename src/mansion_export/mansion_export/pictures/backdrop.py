@@ -1,13 +1,16 @@
 """What lies around a building in its picture: the sky, the ground, and the street before the front."""
 
+import math
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 from shapely.geometry import LineString, Polygon, box
+from shapely.geometry import Point as Place
 from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
 
+from mansion_export.exterior.plants import tree
 from mansion_export.meshes.materials import named
 from mansion_export.meshes.model import Surface
 from mansion_export.meshes.solids import Box, boxes_surface, polygon_surface
@@ -34,6 +37,9 @@ _CLOUDS: Final = ((0.12, 0.22, 0.10), (0.33, 0.09, 0.07), (0.55, 0.30, 0.11), (0
 PAVEMENT: Final = 2.2
 ROAD: Final = 6.5
 """Widths of the pavements and the carriageway of the street, metres."""
+
+TREES: Final = 22
+"""Places for trees behind a plot."""
 
 REACH: Final = 400.0
 """How far the ground reaches, metres."""
@@ -80,50 +86,54 @@ def sky(size: tuple[int, int], horizon: float) -> Singles:
     return np.asarray(whole, dtype=np.float32)[:height, :width] / np.float32(255.0)
 
 
-def ground_surfaces(plot: Polygon, out: Point, eye: Point, toward: Point) -> list[Surface]:
-    """Return the ground before the eye, without the plot, and the street along the plot's front.
+def ground_surfaces(plot: Polygon, eye: Point, toward: Point) -> list[Surface]:
+    """Return the ground before the eye without the plot, the street along the plot's south, and trees far behind.
 
     Parameters
     ----------
     plot : Polygon
-        A rectangle, empty where the building stands on none.
-    out : Point
-        Unit vector from the building to the street, along an axis.
+        A rectangle.
     eye, toward : Point
         Where the eye is, and the unit vector to it from what it looks at.
     """
     before = LineString([_at(eye, toward, -2.0), _at(eye, toward, -2.0 - 2 * REACH)]).buffer(REACH, cap_style="flat")
-    bands = _street(plot, out)
-    open_ground = before.difference(plot).difference(bands[0]).difference(bands[1])
+    paved, road = _street(plot)
+    open_ground = before.difference(plot).difference(paved).difference(road)
     surfaces = [
         surface
-        for shape, material in ((open_ground, "lawn"), (bands[0], "stone_paving"), (bands[1], "asphalt"))
+        for shape, material in ((open_ground, "lawn"), (paved, "stone_paving"), (road, "asphalt"))
         for surface in _flat(shape.intersection(before).difference(plot), material)
     ]
-    return [*surfaces, *_dashes(bands[1], before)]
+    return [*surfaces, *_dashes(road, before), *_trees(plot, toward)]
+
+
+def _trees(plot: Polygon, toward: Point) -> list[Surface]:
+    """Return trees in no order behind a plot, as one sees it from a direction."""
+    x0, y0, x1, y1 = plot.bounds
+    half = math.hypot(x1 - x0, y1 - y0) / 2
+    found = []
+    for k in range(TREES):
+        aside, beyond = 3.0 * half * ((k + 0.5) / TREES - 0.5), half * (1.0 - 0.6 * (k % 2)) + 25.0 * (k * 0.618 % 1.0)
+        x = (x0 + x1) / 2 - beyond * toward[0] - aside * toward[1]
+        y = (y0 + y1) / 2 - beyond * toward[1] + aside * toward[0]
+        if y > y0 + 6.0 and plot.distance(Place(x, y)) > 4.0:
+            found += tree(x, y, 6.0 + 3.5 * (k * 0.414 % 1.0), _LOW)
+    return found
 
 
 def _at(place: Point, along: Point, length: float) -> Point:
     return (place[0] + length * along[0], place[1] + length * along[1])
 
 
-def _street(plot: Polygon, out: Point) -> tuple[BaseGeometry, BaseGeometry]:
-    """Return the pavements and the carriageway along the side of the plot that a vector points to."""
-    x0, y0, x1, y1 = plot.bounds
-    reach = 2 * REACH
+def _street(plot: Polygon) -> tuple[BaseGeometry, BaseGeometry]:
+    """Return the pavements and the carriageway along the south of a plot."""
+    edge = plot.bounds[1]
 
     def band(near: float, far: float) -> Polygon:
-        if abs(out[0]) > abs(out[1]):
-            edge = x1 if out[0] > 0 else x0
-            low, high = sorted((edge + near * out[0], edge + far * out[0]))
-            return box(low, -reach, high, reach)
-        edge = y1 if out[1] > 0 else y0
-        low, high = sorted((edge + near * out[1], edge + far * out[1]))
-        return box(-reach, low, reach, high)
+        return box(-2 * REACH, edge - far, 2 * REACH, edge - near)
 
-    near = band(0.0, PAVEMENT)
-    road = band(PAVEMENT, PAVEMENT + ROAD)
-    return near.union(band(PAVEMENT + ROAD, 2 * PAVEMENT + ROAD)), road
+    far = PAVEMENT + ROAD
+    return band(0.0, PAVEMENT).union(band(far, far + PAVEMENT)), band(PAVEMENT, far)
 
 
 def _flat(shape: BaseGeometry, material: str) -> list[Surface]:
@@ -133,12 +143,11 @@ def _flat(shape: BaseGeometry, material: str) -> list[Surface]:
 
 def _dashes(road: BaseGeometry, before: BaseGeometry) -> list[Surface]:
     """Return the broken white line along the middle of a road."""
-    x0, y0, x1, y1 = road.bounds
-    upright = y1 - y0 > x1 - x0
-    boxes = []
-    for k in range(-25, 26):
-        x, y = ((x0 + x1) / 2, 6.0 * k) if upright else (6.0 * k, (y0 + y1) / 2)
-        size = (0.13, 3.0, 0.01) if upright else (3.0, 0.13, 0.01)
-        if before.contains(box(x - 2, y - 2, x + 2, y + 2)):
-            boxes.append(Box((x, y, _LOW - 0.095), size))
+    _, y0, _, y1 = road.bounds
+    y = (y0 + y1) / 2
+    boxes = [
+        Box((6.0 * k, y, _LOW - 0.095), (3.0, 0.13, 0.01))
+        for k in range(-25, 26)
+        if before.contains(box(6.0 * k - 2, y - 1, 6.0 * k + 2, y + 1))
+    ]
     return [boxes_surface(boxes, named("signal_white"))] if boxes else []

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
+from shapely.geometry import Polygon, box
 
 from mansion_assets.catalogue import Catalogue
 from mansion_export.meshes.building_model import building_models
@@ -19,6 +20,7 @@ from mansion_export.plan.palette import INK
 from mansion_export.plan.raster import load_font
 from mansion_export.presentation import building_title, floor_name, quarter_turns, room_title
 from mansion_geometry.compiled import Floats
+from mansion_knowledge import is_class
 from mansion_msgs_py.scene import FloorScene
 
 if TYPE_CHECKING:
@@ -87,7 +89,7 @@ def overview_png(
         models = building_models(ordered, site=site, catalogue=catalogue)
     turns = quarter_turns(ordered)
     head = round(0.045 * width)
-    street = StreetView(models, ordered, turns) if ordered else None
+    street = StreetView(models, ordered) if ordered else None
     outside = street.draw(width, street.height(width)) if street else None
     floors = [cut_open(model, scene, turns) for model, scene in zip(models, ordered)]
     layout = _layout(floors, width, head + (outside.height if outside else 0))
@@ -168,16 +170,15 @@ def _floor(
         shown = project(turned(np.array([[point] * 3]), turns), axes)[0, 0, :2] - middle
         return float(origin[0] + scale * shown[0]), float(origin[1] - scale * shown[1])
 
+    taken: list[Polygon] = []
     for title, (x, y), wide in _names(scene, scale, turns):
-        _name(pen, title, place(np.array([x, y, 0.3])), wide, sheet.width)
+        _name(pen, title, place(np.array([x, y, 0.3])), wide, sheet.width, taken)
 
 
 def _names(scene: FloorScene, scale: float, turns: int) -> list[tuple[str, tuple[float, float], float]]:
-    """Return each room's name, where its middle is, and how wide it is in the picture, pixels."""
-    from shapely.geometry import Polygon
-
+    """Return each room's name, where its middle is, and how wide it is in the picture, pixels; ways through last."""
     found = []
-    for room in scene.rooms:
+    for room in sorted(scene.rooms, key=lambda room: is_class(room.room_type, "circulation")):
         if room.kind in ("stair", "elevator"):
             continue
         polygon = Polygon(room.polygon, room.holes)
@@ -188,23 +189,17 @@ def _names(scene: FloorScene, scale: float, turns: int) -> list[tuple[str, tuple
     return found
 
 
-def _name(pen: "ImageDraw", title: str, at: tuple[float, float], wide: float, width: int) -> None:
-    """Write a room's name in one row or two where it fits, dark with a light rim."""
+def _name(pen: "ImageDraw", title: str, at: tuple[float, float], wide: float, width: int, taken: list[Polygon]) -> None:
+    """Write a room's name in one row or two where it fits and covers no other, dark with a light rim."""
     for size in (round(share * width) for share in reversed(LETTER)):
         font = load_font(max(size, 7), bold=True)
         for text in _rows(title):
-            if max(font.getlength(row) for row in text.split("\n")) <= 0.96 * wide:
-                pen.multiline_text(
-                    at,
-                    text,
-                    font=font,
-                    fill=INK["text"],
-                    anchor="mm",
-                    align="center",
-                    spacing=1,
-                    stroke_width=2,
-                    stroke_fill=_rgb(PAPER),
-                )
+            style = {"font": font, "anchor": "mm", "align": "center", "spacing": 1, "stroke_width": 2}
+            covered = box(*pen.multiline_textbbox(at, text, **style))
+            x0, _, x1, _ = covered.bounds
+            if x1 - x0 <= 0.98 * wide and not any(covered.intersects(other) for other in taken):
+                pen.multiline_text(at, text, fill=INK["text"], stroke_fill=_rgb(PAPER), **style)
+                taken.append(covered)
                 return
 
 

@@ -17,7 +17,6 @@ from mansion_export.pictures.renderer import Camera, Triangles, flatten, photogr
 from mansion_geometry.compiled import Floats
 from mansion_knowledge import is_class
 from mansion_msgs_py.scene import FloorScene
-from mansion_msgs_py.shapes import Point
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -55,14 +54,12 @@ class StreetView:
         Of all floors, lowest first.
     scenes : sequence of FloorScene
         Of the same floors.
-    turns : int
-        By how many quarters the building is turned.
     """
 
-    def __init__(self, models: Sequence[Model], scenes: Sequence[FloorScene], turns: int = 0) -> None:
+    def __init__(self, models: Sequence[Model], scenes: Sequence[FloorScene]) -> None:
+        turns = _turns_to_the_sun(scenes)
         self._building = _shown(models, scenes, turns, site=False)
         self._site = _shown(models, scenes, turns, site=True)
-        self._out = _street_side(scenes, turns)
         low, high = bounds(self._building.corners)
         self._middle = (low + high) / 2
         self._ends = np.array(
@@ -83,15 +80,14 @@ class StreetView:
 
         camera = self._camera(width, height)
         toward = (math.cos(math.radians(camera.azimuth)), math.sin(math.radians(camera.azimuth)))
-        ground = Triangles.of(ground_surfaces(self._plot, self._out, camera.eye[:2], toward))
+        ground = Triangles.of(ground_surfaces(self._plot, camera.eye[:2], toward))
         background = sky((width, height), camera.center[1])
         seen = Triangles.join([self._building, self._site])
         return Image.fromarray(photograph(seen, camera, background, ground))
 
     def _camera(self, width: int, height: int) -> Camera:
         """Return the camera that shows the building as large as fits, in the middle."""
-        facing = math.degrees(math.atan2(self._out[1], self._out[0]))
-        azimuth = facing + (ASIDE if abs(self._out[1]) > abs(self._out[0]) else -ASIDE)
+        azimuth = ASIDE - 90.0
         toward = np.array([math.cos(math.radians(azimuth)), math.sin(math.radians(azimuth))])
         reach = float(np.hypot(*(self._ends[7] - self._ends[0])[:2])) / 2
         near, far = reach + 4.0, reach + 2000.0
@@ -124,14 +120,13 @@ class StreetView:
         return float(high[0] - low[0]), float(high[1] - low[1])
 
 
-def _street_side(scenes: Sequence[FloorScene], turns: int) -> Point:
-    """Return the unit vector from a turned building to its street: the side of its main door, else the south."""
+def _turns_to_the_sun(scenes: Sequence[FloorScene]) -> int:
+    """Return by how many quarters to turn a building so that its front faces south, where the sun is in pictures."""
     ground = next((scene for scene in scenes if scene.floor == 1), None)
     front = front_of(ground) if ground is not None else None
     if front is None:
-        return (0.0, -1.0)
-    x, y = turned(np.array([[[*front.out, 0.0]] * 3]), turns)[0, 0, :2]
-    return (float(x), float(y))
+        return 0
+    return round((-90.0 - math.degrees(math.atan2(front.out[1], front.out[0]))) / 90.0) % 4
 
 
 def _shown(models: Sequence[Model], scenes: Sequence[FloorScene], turns: int, *, site: bool) -> Triangles:
