@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 __all__ = ["overview_files", "overview_png"]
 
-WIDTH = 1600
+WIDTH = 1440
 PAPER = (0.965, 0.968, 0.974)
 
 MOST_COLUMNS = 6
@@ -110,7 +110,7 @@ def overview_png(
             anchor="mm",
         )
     buffer = io.BytesIO()
-    sheet.save(buffer, format="PNG", compress_level=3)
+    sheet.save(buffer, format="PNG", compress_level=1)
     return buffer.getvalue()
 
 

@@ -169,15 +169,32 @@ def _hollow(depth: npt.NDArray[np.float32], y: int, x: int, scale: float) -> flo
 
 
 @kernel
-def _sunlit(shadow: npt.NDArray[np.float32], column: float, row: float, height: float) -> float:
-    """Return the share of five samples of a shadow map about a cell in which the sun reaches a height."""
-    i = min(max(int(column), 1), shadow.shape[1] - 2)
-    j = min(max(int(row), 1), shadow.shape[0] - 2)
-    lit = 0
+def _sunlit(
+    shadow: npt.NDArray[np.float32],
+    shadow_frame: tuple[float, float, float],
+    view_frame: tuple[float, float, float, float, float, float],
+    turn: Floats,
+    lit: Floats,
+    k: int,
+    y: float,
+    x: float,
+    w: float,
+) -> float:
+    """Return the share of five samples of the shadow map about a sample of triangle `k` that the sun reaches."""
+    left, bottom, cell = shadow_frame
+    u0, v0, x0, y0, scale, eye = view_frame
+    away = eye - w if np.isfinite(eye) else 1.0
+    u, v = u0 + (x - x0) * away / scale, v0 - (y - y0) * away / scale
+    a = u * turn[0, 0] + v * turn[1, 0] + w * turn[2, 0] + lit[k, 2]
+    b = u * turn[0, 1] + v * turn[1, 1] + w * turn[2, 1] + lit[k, 3]
+    c = u * turn[0, 2] + v * turn[1, 2] + w * turn[2, 2] + lit[k, 4]
+    i = min(max(int((a - left) / cell), 1), shadow.shape[1] - 2)
+    j = min(max(int((b - bottom) / cell), 1), shadow.shape[0] - 2)
+    reached = 0
     for dj, di in ((0, 0), (0, 1), (0, -1), (1, 0), (-1, 0)):
-        if height > shadow[j + dj, i + di] - 0.05:
-            lit += 1
-    return lit / 5.0
+        if c > shadow[j + dj, i + di] - 0.05:
+            reached += 1
+    return reached / 5.0
 
 
 @kernel
@@ -224,7 +241,10 @@ def shade_pixels(
         The background; drawn over.
     """
     height, width = image.shape[:2]
-    colors, alpha = surfaces[0], surfaces[1]
+    # Unpacked once: each array that is taken out of a tuple counts its references anew.
+    lit, laid = faces
+    colors, alpha, textures = surfaces
+    texels, frames, sizes = tiles
     scale, eye = view_frame[4], view_frame[5]
     total = np.zeros(3)
     for j in range(height):
@@ -250,9 +270,14 @@ def shade_pixels(
                         w = 0.25 * (depth[y, x] + depth[y, x + 1] + depth[y + 1, x] + depth[y + 1, x + 1])
                     dark = 1.0 - 0.5 * _EDGE * _occlusion(depth, y + dy, x + dx, 1, 1e9)
                     light = (dark * (1.0 - _HOLLOW * hollow), dark)
-                    seen = _shaded(
-                        k, row, column, w, light, faces, surfaces, tiles, shadow, shadow_frame, view_frame, turn, haze
-                    )
+                    texel = (1.0, 1.0, 1.0)
+                    if textures[k] >= 0 and frames[textures[k], 1] > 0:
+                        away = eye - w if np.isfinite(eye) else 1.0
+                        texel = _texel(texels, frames, sizes, textures[k], laid, k, row, column, away)
+                    sunny = 0.0
+                    if lit[k, 1] > 0.0:
+                        sunny = lit[k, 1] * _sunlit(shadow, shadow_frame, view_frame, turn, lit, k, row, column, w)
+                    seen = _coloured(colors, k, texel, lit[k, 0] * light[0], sunny * light[1], eye - w, haze)
                 for channel in range(3):
                     total[channel] += seen[channel]
             share = 1.0 if alike else 0.25
@@ -268,50 +293,33 @@ def shade_pixels(
 
 
 @kernel
-def _shaded(
+def _coloured(
+    colors: Floats,
     k: int,
-    y: float,
-    x: float,
-    w: float,
-    light: tuple[float, float],
-    faces: tuple[Floats, Floats],
-    surfaces: tuple[Floats, Floats, Ints],
-    tiles: tuple[Floats, Ints, Floats],
-    shadow: npt.NDArray[np.float32],
-    shadow_frame: tuple[float, float, float],
-    view_frame: tuple[float, float, float, float, float, float],
-    turn: npt.NDArray[np.float64],
+    texel: tuple[float, float, float],
+    sky: float,
+    sunny: float,
+    away: float,
     haze: tuple[float, float, float, float],
 ) -> tuple[float, float, float]:
-    """Return the colour of triangle `k` at a sample; `light` is how much of the sky's and the sun's light it gets."""
-    lit, laid = faces
-    colors, textures = surfaces[0], surfaces[2]
-    texels, frames, sizes = tiles
-    left, bottom, cell = shadow_frame
-    u0, v0, x0, y0, scale, eye = view_frame
-    away, clear = 1.0, 1.0
-    if np.isfinite(eye):
-        away = eye - w
-        clear = np.exp(-away / haze[3])
-    u, v = u0 + (x - x0) * away / scale, v0 - (y - y0) * away / scale
-    sky, sunny = lit[k, 0] * light[0], 0.0
-    if lit[k, 1] > 0.0:
-        a = u * turn[0, 0] + v * turn[1, 0] + w * turn[2, 0] + lit[k, 2]
-        b = u * turn[0, 1] + v * turn[1, 1] + w * turn[2, 1] + lit[k, 3]
-        c = u * turn[0, 2] + v * turn[1, 2] + w * turn[2, 2] + lit[k, 4]
-        sunny = lit[k, 1] * _sunlit(shadow, (a - left) / cell, (b - bottom) / cell, c) * light[1]
-    red, green, blue = 1.0, 1.0, 1.0
-    number = textures[k]
-    if number >= 0 and frames[number, 1] > 0:
-        dx, dy = x + 0.5 - laid[k, 0], y + 0.5 - laid[k, 1]
-        s = (laid[k, 2] + laid[k, 3] * dx + laid[k, 4] * dy) * away
-        t = (laid[k, 5] + laid[k, 6] * dx + laid[k, 7] * dy) * away
-        red, green, blue = _sampled(texels, frames, sizes, number, s, t)
+    """Return the colour of triangle `k` in the light of sky and sun, so far away."""
+    clear = np.exp(-away / haze[3]) if np.isfinite(haze[3]) else 1.0
     return (
-        colors[k, 0] * red * (sky * SKYLIGHT[0] + sunny * SUNLIGHT[0]) * clear + haze[0] * (1.0 - clear),
-        colors[k, 1] * green * (sky * SKYLIGHT[1] + sunny * SUNLIGHT[1]) * clear + haze[1] * (1.0 - clear),
-        colors[k, 2] * blue * (sky * SKYLIGHT[2] + sunny * SUNLIGHT[2]) * clear + haze[2] * (1.0 - clear),
+        colors[k, 0] * texel[0] * (sky * SKYLIGHT[0] + sunny * SUNLIGHT[0]) * clear + haze[0] * (1.0 - clear),
+        colors[k, 1] * texel[1] * (sky * SKYLIGHT[1] + sunny * SUNLIGHT[1]) * clear + haze[1] * (1.0 - clear),
+        colors[k, 2] * texel[2] * (sky * SKYLIGHT[2] + sunny * SUNLIGHT[2]) * clear + haze[2] * (1.0 - clear),
     )
+
+
+@kernel
+def _texel(
+    texels: Floats, frames: Ints, sizes: Floats, number: int, laid: Floats, k: int, y: float, x: float, away: float
+) -> tuple[float, float, float]:
+    """Return what a set of textures shows of triangle `k` at a sample."""
+    dx, dy = x + 0.5 - laid[k, 0], y + 0.5 - laid[k, 1]
+    s = (laid[k, 2] + laid[k, 3] * dx + laid[k, 4] * dy) * away
+    t = (laid[k, 5] + laid[k, 6] * dx + laid[k, 7] * dy) * away
+    return _sampled(texels, frames, sizes, number, s, t)
 
 
 @kernel
