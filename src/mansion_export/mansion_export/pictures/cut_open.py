@@ -51,10 +51,11 @@ def cut_open(model: Model, scene: FloorScene, turns: int = 0) -> Triangles:
 
 
 def _fall(item: SceneObject) -> float:
-    """Return by how much to lower a thing that hangs flat on a wall beyond the cut."""
+    """Return by how much to lower a thing that hangs flat on a wall beyond the cut, at most to the floor."""
     if item.mount != "wall" or item.size[1] > _FLAT:
         return 0.0
-    return max(item.position[2] + item.size[2] / 2 - CUT + 0.03, 0.0)
+    bottom = item.position[2] - item.size[2] / 2
+    return max(min(bottom + item.size[2] - CUT + 0.03, bottom - 0.1), 0.0)
 
 
 def _ground(ring: Sequence[tuple[float, float]]) -> Triangles:

@@ -130,16 +130,13 @@ def _turns_to_the_sun(scenes: Sequence[FloorScene]) -> int:
 
 
 def _shown(models: Sequence[Model], scenes: Sequence[FloorScene], turns: int, *, site: bool) -> Triangles:
-    """Return what is seen of a building above the ground, or of its plot."""
+    """Return what is seen of a building above the ground with what it shows at its front, or of its plot."""
     parts = []
     buried = all(scene.floor < 1 for scene in scenes)
     for model, scene in zip(models, scenes):
         if scene.floor < 1 and not buried:
             continue
-        if site:
-            part = flatten(model, lambda node: node.group == "site")
-        else:
-            part = _shell(model, scene)
+        part = flatten(model, _is_plot) if site else Triangles.join([_shell(model, scene), flatten(model, _is_feature)])
         parts.append(replace(part, corners=part.corners + np.array([0.0, 0.0, model.elevation])))
     whole = Triangles.join(parts)
     return replace(whole, corners=turned(whole.corners, turns))
@@ -154,6 +151,15 @@ def _shell(model: Model, scene: FloorScene) -> Triangles:
     shell = flatten(model, lambda node: _outside(node, inner))
     standing = flatten(model, lambda node: node.group == "objects" and node.room in terraces)
     return Triangles.join([mirroring(shell), standing])
+
+
+def _is_plot(node: Node) -> bool:
+    return node.group == "site" and "/plot/" in node.id
+
+
+def _is_feature(node: Node) -> bool:
+    """Tell whether a node is a canopy, a sign, a tower or another thing that a building shows at its front."""
+    return node.group == "site" and "/plot/" not in node.id
 
 
 def _is_ground(node: Node) -> bool:
