@@ -201,7 +201,7 @@ def _steeple(scene: FloorScene, front: Front) -> list[Surface]:
 
 def _flagpole(scene: FloorScene, front: Front) -> list[Surface]:
     """Return a pole with a flag beside the way to the entrance."""
-    along = front.door.width / 2 + 3.0
+    along = front.door.width / 2 + 5.0
     x, y = front.at(along, 3.6)
     pole = polygon_surface(Place(x, y).buffer(0.06, quad_segs=2), GROUND, POLE, named("signal_white"))
     flag = front.box((along + 0.08, along + 1.7), (3.58, 3.62), (POLE - 1.2, POLE - 0.15))
