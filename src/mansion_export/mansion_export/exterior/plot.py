@@ -93,7 +93,7 @@ def plot_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
         surfaces = _ground(shape, top, named(material))
         if surfaces:
             yield Node(f"{prefix}/{name}", f"{prefix}/{name}", "site"), surfaces
-    if not parking.is_empty:
+    if not parking.is_empty and bays(parking):
         yield Node(f"{prefix}/bays", f"{prefix}/bays", "site"), [_bay_lines(parking)]
         yield from parked_cars(parking, scene.seed, GROUND + 0.02, prefix)
     if home:
