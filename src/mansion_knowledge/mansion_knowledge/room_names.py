@@ -70,8 +70,9 @@ def _is_class(knowledge: KnowledgeBase, room_type: str, name: str) -> bool:
     classes = _words_by(knowledge, "classes")
     words = kin_of(room_type).lower().replace("-", "_").replace(" ", "_").split("_")
     words = [word for word in words if word and not word.isdigit()]
-    if name == "dark":
-        return any(word in classes["dark"] for word in words)
+    if name in ("dark", "worship"):
+        # Whatever kind of hall it is.
+        return any(word in classes[name] for word in words)
     if len(words) > 1 and words[-1] in ("store", "market"):
         # A "grocery store" sells; a "store room" keeps.
         return name == "assembly"

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from shapely.geometry import MultiPoint, Polygon
 
+from mansion_export.exterior.fronts import front_of
 from mansion_export.meshes.building_model import building_models
 from mansion_export.meshes.model import Model, Node
 from mansion_export.presentation import main_door
@@ -51,6 +52,22 @@ def test_each_kind_of_building_shows_what_it_is(storeys: list[FloorScene], build
     told = {"marquee", "steeple", "portal", "porch", "flagpole", "fence", "playground", "terrace"}
     found = {name for name in outside(as_type(storeys, building_type)) if name.rpartition("/")[2] in told}
     assert found == shown
+
+
+def test_what_people_call_a_building_counts_before_its_type(storeys: list[FloorScene]) -> None:
+    scenes = [msgspec.structs.replace(scene, called="railway station") for scene in as_type(storeys, "ferry_terminal")]
+    assert "F1/platform" in outside(scenes)
+    assert "F1/platform" not in outside(as_type(storeys, "ferry_terminal"))
+
+
+def test_trees_stand_behind_the_front(storeys: list[FloorScene]) -> None:
+    ground = as_type(storeys, "office")[0]
+    front = front_of(ground)
+    assert front is not None
+    for name, corners in outside([ground]).items():
+        if "/tree_" in name:
+            middle = corners[:, :2].mean(axis=0) - np.array(front.middle)
+            assert float(middle @ np.array(front.out)) < 0.0
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import numpy as np
 
 from mansion_export.meshes.materials import named
 from mansion_export.meshes.solids import Box, boxes_surface
-from mansion_export.pictures.overview import mirroring
+from mansion_export.pictures.glazing import mirroring
 from mansion_export.pictures.renderer import Triangles, View, render
 
 GREY = np.array([0.6, 0.6, 0.6])

@@ -87,6 +87,9 @@ def counts(text: str) -> dict[str, int | None]:
         "A house with two bedrooms. It is a home that photographs well.",
         "A refuge with two bedrooms that stay open for emergencies.",
         "A hostel with two bedrooms, with a view over the hall.",
+        "A motel with two bedrooms and parking outside.",
+        "A motel with two bedrooms and parking spaces in front.",
+        "A motel with two bedrooms and outdoor parking.",
     ],
 )
 def test_they_build_nothing(text: str) -> None:
@@ -113,3 +116,7 @@ def test_a_storey_of_another_building_is_no_number_of_storeys() -> None:
 
 def test_relations_keep_what_they_name() -> None:
     assert "office" in counts("A warehouse with a charging room that must be away from the office.")
+
+
+def test_parking_that_is_not_outside_is_a_room() -> None:
+    assert "parking" in counts("A hotel with two bedrooms and parking in the basement.")

@@ -102,5 +102,11 @@ def test_storeys_above_another_are_counted_with_it() -> None:
     assert [ref.kind for ref in facts.rooms[0].floors] == ["upper"]
 
 
+def test_rooms_on_some_floors_above_lie_on_either() -> None:
+    facts = read("A hotel with a lobby on the ground floor and twelve rooms on two floors above.")
+    assert [quantity.value for quantity in facts.floors] == [3]
+    assert [(room.count, room.each) for room in facts.rooms if room.name == "room"] == [(12, False)]
+
+
 def test_a_number_on_its_own_is_no_storey_without_storeys() -> None:
     assert storeys("A flat. A study with two desks, one lamp on 2.") == {}

@@ -35,6 +35,9 @@ def types(brief: str) -> set[str]:
         ("A hotel with a restaurant and a bar", "hotel", False),
         ("A hospital with a waiting room and an operating room", "hospital", False),
         ("A house with three bedrooms and a study", "house", False),
+        ("An office with a reception, a meeting room, a library, a print room and a kitchen", "office", True),
+        ("An office of 900 m2 with a reception, meeting room, library, print room and kitchen", "office", False),
+        ("An office with a reception, a meeting room and a kitchen", "office", False),
     ],
 )
 def test_a_brief_tells_a_program_that_names_what_the_building_is_there_for(

@@ -159,6 +159,37 @@ def test_an_audience_looks_along_a_long_room() -> None:
     assert all(abs(np.sin(np.radians(seat.rotation))) > 0.9 for seat in seats)
 
 
+def nave(width: float, depth: float, rows: int) -> PlacementRoom:
+    """Return a nave with an altar and two columns of pews."""
+    return PlacementRoom(
+        room_id="nave",
+        room_type="chapel",
+        polygon=[(0, 0), (width, 0), (width, depth), (0, depth)],
+        doors=[PlacementOpening(segment=((1, 0), (2.6, 0)))],
+        objects=[
+            PlacementObject(name="altar", category="altar", size=(2.0, 0.9, 1.0), global_="edge"),
+            PlacementObject(
+                name="pew",
+                category="pew",
+                size=(3.0, 0.6, 0.95),
+                quantity=2 * rows,
+                global_="middle",
+                structure=MatrixStructure(rows=rows, cols=2),
+            ),
+        ],
+    )
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_pews_leave_an_aisle_to_the_altar_at_the_end_of_a_nave(seed: int) -> None:
+    placed = place_room(nave(9.0, 18.0, 8), seed=seed).placements
+    (altar,) = [item for item in placed if item.name == "altar"]
+    pews = [item for item in placed if item.name == "pew"]
+    assert len(pews) == 16
+    assert min(altar.center[1], 18.0 - altar.center[1]) < 1.0
+    assert np.diff(sorted({round(pew.center[0], 3) for pew in pews})).max() >= 3.0 + 0.8
+
+
 def lobby(width: float, depth: float, sofas: int) -> PlacementRoom:
     """Return a lobby with groups of a sofa, a table and two chairs."""
     return PlacementRoom(

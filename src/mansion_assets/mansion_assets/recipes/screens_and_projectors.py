@@ -148,6 +148,22 @@ def score_board(b: Builder) -> None:
     face.write("45:00", (-w * 0.2, w * 0.2), (h * 0.06, h * 0.22), "light_yellow", "figures", 0.01)
 
 
+@recipe("departures_board")
+def departures_board(b: Builder) -> None:
+    """A wide black board: DEPARTURES in yellow, below it rows of a time, a place and a track."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.012), (0, h), b.mat(), "case")
+    face = DrawnFace.front(b, d / 2 - 0.012)
+    face.write("DEPARTURES", (-w * 0.46, w * 0.1), (h * 0.82, h * 0.94), "light_yellow", "letters", 0.006)
+    face.field((-w * 0.47, w * 0.47), (h * 0.76, h * 0.775), "plastic_white", "frame", 0.004)
+    rows = (("09:15", "PARIS", "3"), ("09:42", "ROME", "1"), ("10:05", "BERLIN", "7"), ("10:30", "OSLO", "2"))
+    for number, (time, place, track) in enumerate(rows):
+        up = (h * (0.62 - 0.18 * number), h * (0.73 - 0.18 * number))
+        face.write(time, (-w * 0.46, -w * 0.24), up, "plastic_white", "letters", 0.006)
+        face.write(place, (-w * 0.18, -w * 0.18 + 0.07 * w * len(place)), up, "plastic_white", "letters", 0.006)
+        face.write(track, (w * 0.4, w * 0.45), up, "light_yellow", "figures", 0.006)
+
+
 @recipe("ceiling_projector")
 def ceiling_projector(b: Builder) -> None:
     """A white box under a pole: a large blue lens in a ring that shines, vents beside it, sockets behind, a lit dot."""

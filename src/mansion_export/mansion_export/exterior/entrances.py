@@ -1,6 +1,6 @@
 """Canopies over the doors to the street, and the level ground before them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 import shapely
@@ -15,7 +15,7 @@ from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.shapes import Point
 
-__all__ = ["accent", "entrance_parts", "outer_doors", "outward"]
+__all__ = ["accent", "entrance_parts", "outer_doors", "outward", "shown_outside"]
 
 ACCENTS: Final = ("sign_blue", "sign_green", "sign_red", "sign_slate")
 """Colours of canopies and signs."""
@@ -49,6 +49,12 @@ def outward(door: Door, outline: Polygon) -> Point:
     return (-dx, -dy) if outline.contains(middle) else (dx, dy)
 
 
+def shown_outside(scene: FloorScene) -> Sequence[str]:
+    """Return what a building shows outside, by what people call it, else by its type."""
+    groups = default_knowledge().groups
+    return groups.shown_outside(scene.called or "") or groups.shown_outside(scene.building_type)
+
+
 def accent(scene: FloorScene) -> Material:
     """Return the colour of a building's canopies and of its sign; homes have plain steel."""
     if default_knowledge().groups.is_dwelling(scene.building_type):
@@ -60,7 +66,7 @@ def entrance_parts(scene: FloorScene) -> Iterator[Part]:
     """Yield a canopy over each door to the street, and the paving before it."""
     outline = Polygon(scene.outline, scene.holes)
     wall = max((wall.thickness for wall in scene.walls if wall.exterior), default=0.24)
-    shown = default_knowledge().groups.shown_outside(scene.building_type)
+    shown = shown_outside(scene)
     roofed = main_door(scene) if ROOFED.intersection(shown) else None
     for door in outer_doors(scene):
         if door.kind == "garage":

@@ -5,12 +5,11 @@ from typing import Final
 
 from shapely.geometry import Point as Place
 
-from mansion_export.exterior.entrances import accent
+from mansion_export.exterior.entrances import accent, shown_outside
 from mansion_export.exterior.fronts import Front, front_of, front_windows, places_beside
 from mansion_export.meshes.materials import named, surface_material
 from mansion_export.meshes.model import Node, Part, Surface
 from mansion_export.meshes.solids import boxes_surface, polygon_surface
-from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import FloorScene
 from mansion_scene.structure.materials import facade_of
 
@@ -46,7 +45,7 @@ def feature_parts(scene: FloorScene) -> Iterator[Part]:
     front = front_of(scene)
     if front is None:
         return
-    for name in default_knowledge().groups.shown_outside(scene.building_type):
+    for name in shown_outside(scene):
         draw = _FEATURES.get(name)
         surfaces = draw(scene, front) if draw is not None else []
         if surfaces:
@@ -202,7 +201,7 @@ def _steeple(scene: FloorScene, front: Front) -> list[Surface]:
 
 def _flagpole(scene: FloorScene, front: Front) -> list[Surface]:
     """Return a pole with a flag beside the way to the entrance."""
-    along = front.door.width / 2 + 3.0
+    along = front.door.width / 2 + 5.0
     x, y = front.at(along, 3.6)
     pole = polygon_surface(Place(x, y).buffer(0.06, quad_segs=2), GROUND, POLE, named("signal_white"))
     flag = front.box((along + 0.08, along + 1.7), (3.58, 3.62), (POLE - 1.2, POLE - 0.15))

@@ -25,6 +25,9 @@ APART: Final = 5.0
 SHRUB: Final = 1.1
 """Between the middles of two shrubs of a row, metres."""
 
+_CROWN: Final = ((7, 0.2, 0.42, 0.54, 0.13), (6, 0.17, 0.6, 0.72, 0.13), (3, 0.08, 0.8, 0.86, 0.12))
+"""Clumps of leaves by rings from below: how many, how far out, between which heights, and how large, in heights."""
+
 
 def tree_places(free: BaseGeometry, seed: int, *, most: int) -> Iterator[tuple[float, float, float]]:
     """Yield places and heights of trees in an area, apart from each other."""
@@ -47,13 +50,15 @@ def tree_places(free: BaseGeometry, seed: int, *, most: int) -> Iterator[tuple[f
 def tree(x: float, y: float, height: float, ground: float) -> list[Surface]:
     """Return a trunk with a crown of several clumps of leaves, no two trees alike."""
     generator = item_generator(round(1000 * (x + 7 * y)), "crown")
-    trunk = Box((x, y, ground + 0.27 * height), (0.2, 0.2, 0.54 * height))
-    clumps = [_clump((x, y, ground + 0.7 * height), 0.26 * height, generator)]
-    for k in range(5):
-        angle = 2 * math.pi * (k + float(generator.uniform(-0.2, 0.2))) / 5
-        away, up = 0.17 * height, float(generator.uniform(0.52, 0.74))
-        place = (x + away * math.cos(angle), y + away * math.sin(angle), ground + up * height)
-        clumps.append(_clump(place, float(generator.uniform(0.14, 0.19)) * height, generator))
+    trunk = Box((x, y, ground + 0.27 * height), (0.17, 0.17, 0.54 * height))
+    clumps = [_clump((x, y, ground + 0.62 * height), 0.22 * height, generator)]
+    for number, out, low, high, size in _CROWN:
+        first = float(generator.uniform(0.0, 1.0))
+        for k in range(number):
+            angle = 2 * math.pi * (k + first + float(generator.uniform(-0.2, 0.2))) / number
+            away, up = out * height, float(generator.uniform(low, high))
+            place = (x + away * math.cos(angle), y + away * math.sin(angle), ground + up * height)
+            clumps.append(_clump(place, float(generator.uniform(0.85, 1.15)) * size * height, generator))
     return [boxes_surface([trunk], named("bark")), _leaves(clumps)]
 
 

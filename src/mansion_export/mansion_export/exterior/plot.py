@@ -7,10 +7,12 @@ import shapely
 from shapely.geometry import LineString, Polygon, box
 from shapely.geometry.base import BaseGeometry
 
-from mansion_export.exterior.entrances import outer_doors, outward
+from mansion_export.exterior.entrances import outer_doors, outward, shown_outside
+from mansion_export.exterior.fronts import front_of
 from mansion_export.exterior.grounds import Patch, fence_parts, patch_of, patch_parts
 from mansion_export.exterior.parking import BAY, bays, parked_cars
 from mansion_export.exterior.plants import along_walls, shrubs, tree, tree_places
+from mansion_export.exterior.railway import platform_part, track_bed
 from mansion_export.meshes.materials import named
 from mansion_export.meshes.model import Material, Node, Part, Surface
 from mansion_export.meshes.solids import Box, boxes_surface, polygon_surface
@@ -34,6 +36,9 @@ SHRUBS: Final = 0.75
 
 ENDS: Final = 0.22
 """Share of a side of the building at either end before which trees stand."""
+
+BESIDE: Final = 3.0
+"""How far behind the line of the front no trees stand beside it, metres."""
 
 APRON: Final = 4.0
 """Asphalt beside the way to a door for vehicles, both sides together, metres."""
@@ -65,14 +70,18 @@ def plot_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
     around = edge.difference(Polygon(slab.exterior))
     paths = _paths(scene, edge, PATH[home]).intersection(around)
     parking = Polygon() if home else _parking(scene, edge, slab).difference(paths.buffer(0.5))
-    shown = default_knowledge().groups.shown_outside(scene.building_type)
+    shown = shown_outside(scene)
     apron = _paths(scene, edge, 0.0, APRON).intersection(around) if "apron" in shown else Polygon()
-    parking = parking.difference(apron.buffer(0.5))
+    front = front_of(scene)
+    tracks = track_bed(front, slab) if front is not None and "platform" in shown else Polygon()
+    parking = parking.difference(apron.buffer(0.5)).difference(tracks.buffer(0.5))
     green = around.difference(paths).difference(parking).difference(apron)
     prefix = f"F{scene.floor}/plot"
-    patches = _patches(scene, shown, green.difference(slab.buffer(PATCH_OFF)).buffer(-0.3))
+    patches = _patches(scene, shown, green.difference(slab.buffer(PATCH_OFF)).difference(tracks).buffer(-0.3))
     for patch in patches:
         yield from patch_parts(patch, GROUND, prefix)
+    if front is not None and not tracks.is_empty:
+        yield platform_part(front, slab, GROUND, f"F{scene.floor}/platform")
     if "fence" in shown:
         yield from fence_parts(edge, shapely.union(paths, parking).buffer(0.3), GROUND, prefix)
     for name, shape, material, top in (
@@ -84,19 +93,20 @@ def plot_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
         surfaces = _ground(shape, top, named(material))
         if surfaces:
             yield Node(f"{prefix}/{name}", f"{prefix}/{name}", "site"), surfaces
-    if not parking.is_empty:
+    if not parking.is_empty and bays(parking):
         yield Node(f"{prefix}/bays", f"{prefix}/bays", "site"), [_bay_lines(parking)]
         yield from parked_cars(parking, scene.seed, GROUND + 0.02, prefix)
     if home:
         hedge = edge.exterior.buffer(HEDGE[0] / 2).intersection(edge).difference(paths.buffer(0.3))
         surfaces = _ground(hedge, GROUND + HEDGE[1], named("hedge"), bottom=GROUND)
         yield Node(f"{prefix}/hedge", f"{prefix}/hedge", "site"), surfaces
-    row = shrubs(along_walls(slab, SHRUBS), around.difference(green).buffer(0.3), scene.seed, GROUND)
+    row = shrubs(along_walls(slab, SHRUBS), around.difference(green).union(tracks).buffer(0.3), scene.seed, GROUND)
     if row:
         yield Node(f"{prefix}/shrubs", f"{prefix}/shrubs", "site"), row
     # Crowns may overhang the edge of the plot, but neither walls nor ways, and they hide no front.
     free = green.difference(slab.buffer(TREE_CLEAR)).difference(paths.buffer(TREE_CLEAR)).buffer(-1.0)
-    free = free.difference(_before_windows(slab, margin))
+    free = free.difference(_before_windows(slab, margin)).difference(_before_front(scene, margin))
+    free = free.difference(tracks.buffer(TREE_CLEAR))
     for door in outer_doors(scene):
         free = free.difference(shapely.Point(door.segment[0]).buffer(DOORSTEP))
     for patch in patches:
@@ -114,6 +124,15 @@ def _before_windows(slab: Polygon, margin: float) -> BaseGeometry:
     return shapely.union(
         box(x0 + across, y0 - far, x1 - across, y1 + far), box(x0 - far, y0 + along, x1 + far, y1 - along)
     )
+
+
+def _before_front(scene: FloorScene, margin: float) -> BaseGeometry:
+    """Return the ground before a building's front and around its corners: from the street one sees it, and its sign."""
+    front = front_of(scene)
+    if front is None:
+        return Polygon()
+    low, high, far = front.low - 2 * margin, front.high + 2 * margin, 2 * margin
+    return Polygon([front.at(low, -BESIDE), front.at(high, -BESIDE), front.at(high, far), front.at(low, far)])
 
 
 def _ground(shape: BaseGeometry, top: float, material: Material, *, bottom: float = GROUND - 0.1) -> list[Surface]:

@@ -9,7 +9,8 @@ from mansion_assets.catalogue import Asset, Catalogue
 from mansion_assets.library.source_model import SourceSurface
 from mansion_export.meshes.asset_surfaces import asset_surfaces
 from mansion_export.meshes.model import Material, Node, Surface, assemble
-from mansion_export.pictures.renderer import View, bounds, flatten, project, render
+from mansion_export.pictures.projecting import bounds, project
+from mansion_export.pictures.renderer import View, flatten, render
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -26,7 +27,6 @@ _VIEW_FROM_BELOW: Final = View(azimuth=-125.0, elevation=-28.0)
 _SHINE: Final = 2.0
 """How much brighter what gives light is drawn than it were lit by the sun alone."""
 
-_SUPERSAMPLING: Final = 2
 _MARGIN: Final = 16
 _LINE: Final = 14
 _COLUMNS: Final = 8
@@ -87,9 +87,9 @@ def _drawn(surfaces: Sequence[Surface], size: int, seen_from: View) -> "Image":
     part = Node("asset", "asset", "objects", rotation=180.0), [_shining(surface) for surface in surfaces]
     triangles = flatten(assemble("asset", 1, 0.0, [part]))
     low, high = bounds(project(triangles.corners, seen_from.axes()))
-    scale = _SUPERSAMPLING * (size - _MARGIN) / max(float((high - low)[:2].max()), 1e-9)
+    scale = (size - _MARGIN) / max(float((high - low)[:2].max()), 1e-9)
     pixels = render(triangles, replace(seen_from, scale=scale), _GROUND)
-    return Image.fromarray(pixels).reduce(_SUPERSAMPLING)
+    return Image.fromarray(pixels)
 
 
 def _shining(surface: Surface) -> Surface:

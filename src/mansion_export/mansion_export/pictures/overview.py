@@ -1,75 +1,58 @@
-"""A picture of a whole building: its outside, with the sky in its panes, and each floor with its walls cut open."""
+"""A picture of a whole building: its outside from the street, and each floor with its walls cut open."""
 
 import io
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from shapely.geometry import Polygon, box
 
 from mansion_assets.catalogue import Catalogue
 from mansion_export.meshes.building_model import building_models
 from mansion_export.meshes.model import Model
-from mansion_export.pictures.renderer import Triangles, View, bounds, project, render
+from mansion_export.pictures.cut_open import cut_open
+from mansion_export.pictures.projecting import bounds, project, turned
+from mansion_export.pictures.renderer import Triangles, View, render
+from mansion_export.pictures.street_view import StreetView
 from mansion_export.plan.palette import INK
 from mansion_export.plan.raster import load_font
-from mansion_export.presentation import building_title, floor_name
+from mansion_export.presentation import building_title, floor_name, quarter_turns, room_title
 from mansion_geometry.compiled import Floats
+from mansion_knowledge import is_class
 from mansion_msgs_py.scene import FloorScene
 
 if TYPE_CHECKING:
     from PIL.Image import Image
     from PIL.ImageDraw import ImageDraw
 
-import numpy as np
-import numpy.typing as npt
-from shapely.geometry import Polygon
+__all__ = ["overview_files", "overview_png"]
 
-from mansion_assets.materials import set_of
-from mansion_export.meshes.model import Node
-from mansion_export.meshes.solids import SIDES, triangulate
-from mansion_export.pictures.renderer import flatten
-from mansion_export.pictures.texture_sampling import texture_number
-from mansion_export.presentation import quarter_turns
-from mansion_knowledge import is_class
-
-__all__ = ["mirroring", "overview_files", "overview_png"]
-
-WIDTH = 1600
+WIDTH = 1440
 PAPER = (0.965, 0.968, 0.974)
-SUPERSAMPLING = 2
-OUTSIDE = 0.36
-"""Share of the width for the picture from outside."""
 
 MOST_COLUMNS = 6
-FROM_ABOVE = View(azimuth=-72.0, elevation=54.0)
-FROM_STREET = View(azimuth=-56.0, elevation=21.0)
+TALLEST: Final = 0.56
+"""Height of all floors' pictures together at most, as a share of the width."""
 
+FROM_ABOVE = View(azimuth=-76.0, elevation=57.0)
 
-CUT = 1.5
-"""Height at which walls are cut open, metres."""
-
-CAP = np.array([0.23, 0.25, 0.28])
-"""Colour of cut walls."""
-
-DEPTH = np.array([0.36, 0.38, 0.41])
-"""Colour of the ground of shafts, which is seen through the openings of stairs and lifts."""
-
-_SHAFT = 0.35
-"""How far below the floor a shaft's dark ground lies, metres."""
+LETTER: Final = (0.0066, 0.0078)
+"""Smallest and largest letters of a room's name, as shares of the width."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Sheet:
-    """Columns of the floors' grid, its left edge, and a cell's size without caption; pixels."""
+    """Columns of the floors' grid, its upper edge, and a cell's size without caption; pixels."""
 
     columns: int
-    left: int
+    top: int
     cell: tuple[int, int]
-    head: int
     foot: int
 
     def height(self, floors: int) -> int:
-        return self.head + -(-floors // self.columns) * (self.cell[1] + self.foot)
+        return self.top + -(-floors // self.columns) * (self.cell[1] + self.foot)
 
 
 def overview_png(
@@ -80,7 +63,7 @@ def overview_png(
     catalogue: Catalogue | None = None,
     models: Sequence[Model] | None = None,
 ) -> bytes:
-    """Draw a building from outside, and beside it each floor with its walls cut open.
+    """Draw a building from the street, and below it each floor with its walls cut open and the names of its rooms.
 
     Parameters
     ----------
@@ -105,22 +88,20 @@ def overview_png(
     if models is None:
         models = building_models(ordered, site=site, catalogue=catalogue)
     turns = quarter_turns(ordered)
-    floors = [_cut_open(model, scene, turns) for model, scene in zip(models, ordered)]
-    layout = _layout(floors, width)
-    sheet = Image.new("RGB", (width, max(layout.height(len(floors)), layout.head)), _rgb(PAPER))
+    head = round(0.045 * width)
+    street = StreetView(models, ordered) if ordered else None
+    outside = street.draw(width, street.height(width)) if street else None
+    floors = [cut_open(model, scene, turns) for model, scene in zip(models, ordered)]
+    layout = _layout(floors, width, head + (outside.height if outside else 0))
+    sheet = Image.new("RGB", (width, layout.height(len(floors))), _rgb(PAPER))
     pen = ImageDraw.Draw(sheet)
-    _title(pen, building_title(ordered), layout.head, width)
-    if ordered:
-        room = (layout.left, sheet.height - layout.head)
-        picture = _picture(_shell(models, ordered, turns), room, FROM_STREET)
-        at = (room[0] - picture.width) // 2, layout.head + (room[1] - picture.height) // 2
-        sheet.paste(picture, at)
+    _title(pen, building_title(ordered), head, width)
+    if outside:
+        sheet.paste(outside, (0, head))
     for k, (scene, triangles) in enumerate(zip(ordered, floors)):
-        picture = _picture(triangles, layout.cell, FROM_ABOVE)
-        x = layout.left + (k % layout.columns) * layout.cell[0]
-        y = layout.head + (k // layout.columns) * (layout.cell[1] + layout.foot)
-        slack = layout.cell[0] - picture.width, layout.cell[1] - picture.height
-        sheet.paste(picture, (x + slack[0] // 2, y + slack[1] // 2))
+        x = (k % layout.columns) * layout.cell[0]
+        y = layout.top + (k // layout.columns) * (layout.cell[1] + layout.foot)
+        _floor(sheet, pen, scene, triangles, (x, y), layout.cell, turns)
         pen.text(
             (x + layout.cell[0] // 2, y + layout.cell[1] + layout.foot // 3),
             _caption(scene),
@@ -129,7 +110,7 @@ def overview_png(
             anchor="mm",
         )
     buffer = io.BytesIO()
-    sheet.save(buffer, format="PNG", compress_level=4)
+    sheet.save(buffer, format="PNG", compress_level=1)
     return buffer.getvalue()
 
 
@@ -138,19 +119,20 @@ def overview_files(scenes: Sequence[FloorScene], *, site: bool = True) -> dict[s
     return {"building.png": overview_png(scenes, site=site)}
 
 
-def _layout(floors: Sequence[Triangles], width: int) -> _Sheet:
-    """Choose the fewest columns with which the floors' pictures are no taller than three quarters of the width."""
-    head, foot, left = round(0.045 * width), round(0.024 * width), round(OUTSIDE * width)
+def _layout(floors: Sequence[Triangles], width: int, top: int) -> _Sheet:
+    """Choose the fewest columns with which the floors' pictures are not too tall together."""
+    foot = round(0.024 * width)
     sizes = [_size(floor, FROM_ABOVE) for floor in floors if len(floor.alpha)] or [(1.0, 1.0)]
     across, tall = max(w for w, _ in sizes), max(h for _, h in sizes)
     for columns in range(1, MOST_COLUMNS + 1):
-        cell_width = (width - left) // columns
+        cell_width = width // columns
         cell = (cell_width, round(cell_width * tall / across))
-        sheet = _Sheet(columns, left, cell, head, foot)
-        if sheet.height(len(floors)) <= 0.75 * width:
-            return sheet
-    rows = -(-len(floors) // MOST_COLUMNS)
-    return _Sheet(MOST_COLUMNS, left, (cell_width, max(cell[1] // rows, cell_width // 3)), head, foot)
+        sheet = _Sheet(columns, top, cell, foot)
+        if columns >= len(floors) or sheet.height(len(floors)) - top <= TALLEST * width:
+            break
+    rows = -(-len(floors) // columns)
+    most = max(round(TALLEST * width / max(rows, 1)) - foot, cell_width // 3)
+    return _Sheet(columns, top, (cell_width, min(cell[1], most)), foot)
 
 
 def _size(triangles: Triangles, view: View) -> tuple[float, float]:
@@ -160,14 +142,74 @@ def _size(triangles: Triangles, view: View) -> tuple[float, float]:
     return max(float(extent[0]), 0.1), max(float(extent[1]), 0.1)
 
 
-def _picture(triangles: Triangles, room: tuple[int, int], view: View) -> "Image":
-    """Draw triangles as large as fits `room`, less a margin."""
+def _floor(
+    sheet: "Image",
+    pen: "ImageDraw",
+    scene: FloorScene,
+    triangles: Triangles,
+    at: tuple[int, int],
+    room: tuple[int, int],
+    turns: int,
+) -> None:
+    """Draw a floor in the middle of a cell, as large as fits it less a margin, with the names of its rooms."""
     from PIL import Image
 
-    across, tall = _size(triangles, view)
-    scale = 0.93 * min(room[0] / across, room[1] / tall) * SUPERSAMPLING
-    pixels = render(triangles, View(view.azimuth, view.elevation, scale), PAPER)
-    return Image.fromarray(pixels).reduce(SUPERSAMPLING)
+    axes = FROM_ABOVE.axes()
+    low, high = bounds(project(triangles.corners, axes))
+    extent = np.maximum(high - low, 0.1)
+    scale = 0.95 * min(room[0] / float(extent[0]), room[1] / float(extent[1]))
+    view = View(FROM_ABOVE.azimuth, FROM_ABOVE.elevation, scale)
+    picture = Image.fromarray(render(triangles, view, PAPER))
+    left, top = at[0] + (room[0] - picture.width) // 2, at[1] + (room[1] - picture.height) // 2
+    sheet.paste(picture, (left, top))
+    # The picture's border is a few pixels wide.
+    origin = np.array([left + picture.width / 2, top + picture.height / 2])
+    middle = (low + high)[:2] / 2
+
+    def place(point: Floats) -> tuple[float, float]:
+        shown = project(turned(np.array([[point] * 3]), turns), axes)[0, 0, :2] - middle
+        return float(origin[0] + scale * shown[0]), float(origin[1] - scale * shown[1])
+
+    taken: list[Polygon] = []
+    for title, (x, y), wide in _names(scene, scale, turns):
+        _name(pen, title, place(np.array([x, y, 0.3])), wide, sheet.width, taken)
+
+
+def _names(scene: FloorScene, scale: float, turns: int) -> list[tuple[str, tuple[float, float], float]]:
+    """Return each room's name, where its middle is, and how wide it is in the picture, pixels; ways through last."""
+    found = []
+    for room in sorted(scene.rooms, key=lambda room: is_class(room.room_type, "circulation")):
+        if room.kind in ("stair", "elevator"):
+            continue
+        polygon = Polygon(room.polygon, room.holes)
+        middle = polygon.centroid if polygon.contains(polygon.centroid) else polygon.representative_point()
+        x0, y0, x1, y1 = polygon.bounds
+        wide = (y1 - y0) if turns % 2 else (x1 - x0)
+        found.append((room_title(room), (middle.x, middle.y), wide * scale))
+    return found
+
+
+def _name(pen: "ImageDraw", title: str, at: tuple[float, float], wide: float, width: int, taken: list[Polygon]) -> None:
+    """Write a room's name in one row or two where it fits and covers no other, dark with a light rim."""
+    for size in (round(share * width) for share in reversed(LETTER)):
+        font = load_font(max(size, 7), bold=True)
+        for text in _rows(title):
+            style = {"font": font, "anchor": "mm", "align": "center", "spacing": 1, "stroke_width": 2}
+            covered = box(*pen.multiline_textbbox(at, text, **style))
+            x0, _, x1, _ = covered.bounds
+            if x1 - x0 <= 0.98 * wide and not any(covered.intersects(other) for other in taken):
+                pen.multiline_text(at, text, fill=INK["text"], stroke_fill=_rgb(PAPER), **style)
+                taken.append(covered)
+                return
+
+
+def _rows(title: str) -> list[str]:
+    """Return a title in one row and, of several words, broken nearest its middle."""
+    breaks = [k for k, letter in enumerate(title) if letter == " "]
+    if not breaks:
+        return [title]
+    best = min(breaks, key=lambda k: abs(2 * k - len(title)))
+    return [title, f"{title[:best]}\n{title[best + 1 :]}"]
 
 
 def _title(pen: "ImageDraw", title: str, head: int, width: int) -> None:
@@ -193,131 +235,3 @@ def _caption(scene: FloorScene) -> str:
 
 def _rgb(color: tuple[float, float, float]) -> tuple[int, int, int]:
     return (round(255 * color[0]), round(255 * color[1]), round(255 * color[2]))
-
-
-def _cut_open(model: Model, scene: FloorScene, turns: int = 0) -> Triangles:
-    """Return a floor without ceilings, its walls cut at `CUT`."""
-    solid = flatten(model, lambda node: node.group not in ("objects", "ceiling", "site"))
-    movable = flatten(model, lambda node: node.group == "objects" and _low(node))
-    shafts = [_ground(core.polygon) for core in scene.cores]
-    return _turned(Triangles.join([_cut(solid), movable, *shafts]), turns)
-
-
-def _shell(models: Sequence[Model], scenes: Sequence[FloorScene], turns: int = 0) -> Triangles:
-    """Return what is seen of a building above the ground, and the floors behind its windows."""
-    parts = []
-    buried = all(scene.floor < 1 for scene in scenes)
-    for model, scene in zip(models, scenes):
-        if scene.floor < 1 and not buried:
-            continue
-        terraces = {room.id for room in scene.rooms if is_class(room.room_type, "outdoor")}
-        outer = {wall.id for wall in scene.walls if wall.exterior or {wall.left, wall.right} & terraces}
-        inner = {wall.id for wall in scene.walls} - outer
-        inner |= {door.id for door in scene.doors if None not in door.rooms and not {*door.rooms} & terraces}
-        shell = flatten(model, lambda node, inner=inner: _outside(node, inner))  # type: ignore[misc]
-        standing = flatten(model, lambda node, rooms=terraces: node.group == "objects" and node.room in rooms)  # type: ignore[misc]
-        part = Triangles.join([mirroring(shell), standing])
-        parts.append(replace(part, corners=part.corners + np.array([0.0, 0.0, model.elevation])))
-    return _turned(Triangles.join(parts), turns)
-
-
-def _outside(node: Node, inner: set[str]) -> bool:
-    if node.group in ("structure", "windows", "doors", "site"):
-        return node.id not in inner and node.id.removesuffix("/leaf") not in inner
-    return node.group == "ceiling" and (node.id.endswith("/roof") or "/chimney_" in node.id)
-
-
-def _turned(triangles: Triangles, turns: int) -> Triangles:
-    """Return triangles turned by quarters about the vertical, counter-clockwise."""
-    if turns % 4 == 0:
-        return triangles
-    c, s = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[turns % 4]
-    turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-    return replace(triangles, corners=project(triangles.corners, turn))
-
-
-def _low(node: Node) -> bool:
-    return node.position[2] < CUT + 0.4
-
-
-def _ground(ring: Sequence[tuple[float, float]]) -> Triangles:
-    flat, faces = triangulate(Polygon(ring))
-    corners = np.column_stack([flat, np.full(len(flat), -_SHAFT)])[faces]
-    return Triangles.plain(corners, DEPTH)
-
-
-def _cut(triangles: Triangles) -> Triangles:
-    """Cut upright bodies at `CUT`: flatten what rises above, drop what begins above."""
-    heights = triangles.corners[..., 2]
-    a, b, c = heights[:, 0], heights[:, 1], heights[:, 2]
-    lowest = np.minimum(np.minimum(a, b), c)
-    highest = np.maximum(np.maximum(a, b), c)
-    keep = lowest < CUT - 1e-6
-    kept = triangles.where(keep)
-    above = highest[keep] > CUT
-    capped = _lowered(kept)
-    flat = ~keep & (highest - lowest < 1e-6)
-    lids = triangles.corners[flat]
-    # A box's lid lies above the cut: bring it down to close the box, unless the box began above, too.
-    lids = lids[_over_kept(lids, capped.corners[above])]
-    lids[..., 2] = CUT
-    return Triangles.join([capped, Triangles.plain(lids, CAP)])
-
-
-def _lowered(triangles: Triangles) -> Triangles:
-    """Bring corners above `CUT` down to it, and their places on textures with them."""
-    corners, coordinates = triangles.corners.copy(), triangles.coordinates.copy()
-    fall = np.minimum(CUT - corners[..., 2], 0.0)
-    some = (fall < 0.0).any(axis=1) & (triangles.textures >= 0)
-    sides, laid = (values[some][:, 1:] - values[some][:, :1] for values in (corners, coordinates))
-    # How far a place moves on its texture with each metre up: least squares over the two sides of the triangle.
-    (aa, ab), (_, bb) = np.einsum("kix,kjx->ijk", sides, sides)
-    a, b = sides[:, 0, 2], sides[:, 1, 2]
-    weights = np.stack([bb * a - ab * b, aa * b - ab * a], axis=1) / np.maximum(aa * bb - ab * ab, 1e-12)[:, None]
-    rise = np.einsum("ki,kil->kl", weights, laid)
-    coordinates[some] += fall[some][..., None] * rise[:, None]
-    corners[..., 2] += fall
-    return replace(triangles, corners=corners, coordinates=coordinates)
-
-
-def _over_kept(lids: Floats, sides: Floats) -> npt.NDArray[np.bool_]:
-    """Tell which lids have all their corners on sides that reach below the cut."""
-    if not len(lids) or not len(sides):
-        return np.zeros(len(lids), dtype=bool)
-    known = np.unique(_plan_keys(sides).reshape(-1))
-    found: npt.NDArray[np.bool_] = np.isin(_plan_keys(lids), known).all(axis=1)
-    return found
-
-
-def _plan_keys(corners: Floats) -> npt.NDArray[np.int64]:
-    """Return one number for the place in plan of each corner, to a tenth of a millimetre."""
-    places = np.round(corners[..., :2] * 1e4).astype(np.int64)
-    keys: npt.NDArray[np.int64] = places[..., 0] * (1 << 31) + places[..., 1]
-    return keys
-
-
-TONES: Final = np.array([(0.94, 0.97, 1.0), (0.8, 0.85, 0.9), (0.86, 0.88, 0.88), (0.7, 0.76, 0.82), (1.0, 1.0, 0.98)])
-"""What the sky in a pane is multiplied with: rooms behind are bright or dark, curtains open or drawn."""
-
-
-def mirroring(triangles: Triangles) -> Triangles:
-    """Return triangles whose boxes of glass are opaque and show the sky, each pane in a tone of its own."""
-    glass = np.flatnonzero(triangles.alpha < 0.99)
-    if not len(glass) or len(glass) % len(SIDES):
-        return triangles
-    corners = triangles.corners[glass].reshape(-1, len(SIDES) * 3, 3)
-    low, high = corners.min(axis=1), corners.max(axis=1)
-    height = np.maximum(high[:, 2] - low[:, 2], 1e-3)[:, None]
-    extent = high - low
-    turned = (extent[:, 1] > extent[:, 0])[:, None]
-    across = np.where(turned, corners[..., 1], corners[..., 0]) / height
-    up = (corners[..., 2] - low[:, None, 2]) / height
-    # Neighbours differ, and the same building always looks the same.
-    numbers = np.round((low + high) @ (3.1, 5.3, 7.7)).astype(np.int64) % len(TONES)
-    colors, alpha = triangles.colors.copy(), triangles.alpha.copy()
-    textures, coordinates = triangles.textures.copy(), triangles.coordinates.copy()
-    colors[glass] = np.repeat(TONES[numbers], len(SIDES), axis=0)
-    alpha[glass] = 1.0
-    textures[glass] = texture_number(set_of("mirroring_glass"))
-    coordinates[glass] = np.stack([across, up], axis=-1).reshape(-1, 3, 2)
-    return replace(triangles, colors=colors, alpha=alpha, textures=textures, coordinates=coordinates)

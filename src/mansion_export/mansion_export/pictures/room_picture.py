@@ -13,7 +13,8 @@ from mansion_export.meshes.building_model import object_parts
 from mansion_export.meshes.materials import named
 from mansion_export.meshes.model import Node, Part, assemble
 from mansion_export.meshes.solids import Box, boxes_surface, polygon_surface
-from mansion_export.pictures.renderer import Triangles, View, bounds, flatten, project, render
+from mansion_export.pictures.projecting import bounds, project
+from mansion_export.pictures.renderer import Triangles, View, flatten, render
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.placement import PlacementResult, PlacementRoom
@@ -31,7 +32,6 @@ WALL, THICKNESS, SILL = 1.1, 0.12, 0.9
 _OPENING_REACH = 0.3
 """How far from a wall's inner face an opening's segment may lie, metres."""
 
-_SUPERSAMPLING = 2
 _FLOOR = "light_hardwood"
 
 
@@ -80,9 +80,8 @@ def _drawn(triangles: Triangles, size: tuple[int, int], azimuth: float) -> "Imag
     view = View(azimuth, 56.0)
     low, high = bounds(project(triangles.corners, view.axes()))
     fit = min(size[0] / (high[0] - low[0]), size[1] / (high[1] - low[1]))
-    scale = 0.95 * float(fit) * _SUPERSAMPLING
-    pixels = render(triangles, View(view.azimuth, view.elevation, scale))
-    return Image.fromarray(pixels).reduce(_SUPERSAMPLING)
+    scale = 0.95 * float(fit)
+    return Image.fromarray(render(triangles, View(view.azimuth, view.elevation, scale)))
 
 
 def _scene(room: PlacementRoom, result: PlacementResult, catalogue: Catalogue) -> FloorScene:

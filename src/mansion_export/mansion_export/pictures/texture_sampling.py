@@ -1,8 +1,6 @@
-"""Textures of materials for pictures: shrunk to a view's scale, kept, and read at a place on their tile."""
+"""Textures of materials for pictures: shrunk to a view's scale."""
 
 import io
-import threading
-from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from functools import cache
 from typing import Final
@@ -11,48 +9,10 @@ import numpy as np
 
 from mansion_assets.materials import material_set, set_names, texture_set
 from mansion_export.meshes.model import Material
-from mansion_geometry.compiled import Floats, Ints, kernel
+from mansion_export.pictures.array_cache import ArrayCache
+from mansion_geometry.compiled import Floats, Ints
 
-__all__ = ["ArrayCache", "Tiles", "base_color", "sampled", "texture_number", "tiles_at"]
-
-
-class ArrayCache:
-    """Arrays by what they were made from; beyond a number of bytes those go that were used longest ago.
-
-    `functools.lru_cache` counts entries, which says little where one is a thousand times as large as another.
-
-    Parameters
-    ----------
-    most : int
-        Bytes of all arrays together; the latest one stays, however large it is.
-    """
-
-    def __init__(self, most: int) -> None:
-        self._most = most
-        self._guard = threading.Lock()
-        self._arrays: dict[Hashable, Floats] = {}
-        self._bytes = 0
-
-    @property
-    def size(self) -> int:
-        """Bytes of what is kept."""
-        return self._bytes
-
-    def get(self, key: Hashable, make: Callable[[], Floats]) -> Floats:
-        """Return the array of a key, which is made where it is not kept."""
-        with self._guard:
-            found = self._arrays.pop(key, None)
-            if found is not None:
-                self._arrays[key] = found
-                return found
-        made = make()
-        with self._guard:
-            if key not in self._arrays:
-                self._arrays[key] = made
-                self._bytes += made.nbytes
-            while self._bytes > self._most and len(self._arrays) > 1:
-                self._bytes -= self._arrays.pop(next(iter(self._arrays))).nbytes
-        return made
+__all__ = ["Tiles", "base_color", "texture_number", "tiles_at"]
 
 
 SEEN = 0.02
@@ -142,22 +102,3 @@ def _texels(name: str) -> Floats:
     pixels = np.asarray(Image.open(io.BytesIO(made.base)).convert("RGB"), dtype=np.float64) / 255.0
     texels: Floats = pixels if made.own_colours else pixels / np.array(made.level)
     return texels
-
-
-@kernel
-def sampled(texels: Floats, frame: Ints, size: Floats, u: float, v: float) -> tuple[float, float, float]:
-    """Return a tile's value at a place in metres, weighted between the four nearest texels."""
-    first, columns, rows = frame
-    x, y = u / size[0] * columns - 0.5, -v / size[1] * rows - 0.5
-    left, top = np.floor(x), np.floor(y)
-    across, down = x - left, y - top
-    i0, j0 = int(left) % columns, int(top) % rows
-    i1, j1 = (i0 + 1) % columns, (j0 + 1) % rows
-    a, b = first + j0 * columns, first + j1 * columns
-    p, q = (1.0 - across) * (1.0 - down), across * (1.0 - down)
-    r, s = (1.0 - across) * down, across * down
-    return (
-        p * texels[a + i0, 0] + q * texels[a + i1, 0] + r * texels[b + i0, 0] + s * texels[b + i1, 0],
-        p * texels[a + i0, 1] + q * texels[a + i1, 1] + r * texels[b + i0, 1] + s * texels[b + i1, 1],
-        p * texels[a + i0, 2] + q * texels[a + i1, 2] + r * texels[b + i0, 2] + s * texels[b + i1, 2],
-    )

@@ -329,11 +329,17 @@ _NAMING = 8
 _STATES = frozenset({"emergency", "accident", "fire"})
 """What a room is kept for, and no room itself: "stays open for emergencies"."""
 
+_OUTSIDE = frozenset({("outside",), ("outdoors",), ("in", "front"), ("at", "front"), ("out", "front")})
+_OUTDOOR = frozenset({"outdoor", "outside", "surface"})
+"""What stands behind and before parking that is no room."""
+
 
 def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     """Whether a phrase names no part of the building, but what is around it, whom it is for or what it was."""
     phrase = phrases[number]
     if phrase.name in _STATES and reading.word(phrase.first - 1) in ("for", "in", "of") and not phrase.counted:
+        return True
+    if number > 0 and _is_parking_outside(reading, phrase):
         return True
     if number == 1 and not phrase.counted and _is_client(reading, phrases):
         return True
@@ -345,6 +351,19 @@ def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
         or _is_seen(reading, phrases, phrase)
         or (number == 1 and _is_shell(reading, phrases))
         or (number > 0 and bool(phrase.building) and _has_the_floor(reading, phrase))
+    )
+
+
+def _is_parking_outside(reading: Reading, phrase: Phrase) -> bool:
+    """Whether cars are left before the building, where every plot has places for them: "parking outside"."""
+    words = reading.words(phrase.begin, phrase.last)
+    if "parking" not in words and words[-2:] != ("car", "park"):
+        return False
+    behind = reading.words(phrase.last, phrase.last + 2)
+    return (
+        behind[:1] in _OUTSIDE
+        or behind in _OUTSIDE
+        or not _OUTDOOR.isdisjoint((*words, reading.word(phrase.begin - 1)))
     )
 
 

@@ -342,13 +342,18 @@ class StoreyCounts:
         return count.last if street else count.last + 2
 
     def _above_those_named(self, count: _Count) -> int:
-        """Read "three floors above it"."""
+        """Read "three floors above it"; "twelve rooms on two floors above" lie on either, as those on upper floors."""
         reading, base = self.reading, self._storey_below()
         over = reading.word(count.last) in ("over", "above")
-        over = over and reading.word(count.last + 1) in ("it", "that", "them", "this")
         if not over or not base or reading.facts.floors:
             return 0
-        return self._state_above(base, count, count.last + 2)
+        following = reading.word(count.last + 1)
+        if following in ("it", "that", "them", "this"):
+            return self._state_above(base, count, count.last + 2)
+        if not self.places or following not in CLOSERS:
+            return 0
+        self._state(base + count.value, count.first, count.last + 1)
+        return count.last + 1
 
     def _below_ground(self, count: _Count) -> int:
         """Read "two basement levels", "two floors underground", "one level below grade"."""

@@ -40,6 +40,10 @@ def people_of(facts: BriefFacts, building: BuildingType) -> tuple[int, Span | No
 _KINDS = 2
 """Kinds of rooms that such a brief names, unless it counts several of one."""
 
+_ALL_KINDS = 5
+"""Kinds of rooms named from which they are all that a building has, where no kind is what it is there for: an office's.
+"""
+
 
 def counted_rooms(facts: BriefFacts, building: BuildingType) -> list[RoomFact]:
     """Return the rooms of a brief of which it counts several, and such buildings many: the guest rooms of a hotel."""
@@ -50,8 +54,9 @@ def counted_rooms(facts: BriefFacts, building: BuildingType) -> list[RoomFact]:
 def tells_program(facts: BriefFacts, building: BuildingType, knowledge: KnowledgeBase) -> bool:
     """Whether a brief tells what a public building is there for, and what else it has.
 
-    It counts the rooms that such buildings repeat, or names all that they are there for; and the type says which rooms
-    it cannot do without besides (`BuildingType.needed`).
+    It counts the rooms that such buildings repeat, names all that they are there for, or names many kinds where they
+    are there for none in particular and their size is not told; and the type says which rooms it cannot do without
+    besides (`BuildingType.needed`).
     """
     if building.needed is None or building.family == "home":
         return False
@@ -59,9 +64,12 @@ def tells_program(facts: BriefFacts, building: BuildingType, knowledge: Knowledg
         return True
     told = {knowledge.room(room.room_type).counts_as for room in facts.rooms if room.count is not None}
     told |= {room.room_type for room in facts.rooms if room.count is not None}
+    if not building.main:
+        sized = facts.floors or facts.area or facts.floor_area or facts.occupants or facts.size or facts.uses
+        return not sized and len({room.room_type for room in facts.rooms if room.count is not None}) >= _ALL_KINDS
     several = len(told) >= _KINDS or any((room.count or 0) > 1 for room in facts.rooms)
     several |= building.parti == "hall"  # its name tells the hall that it is
-    return bool(building.main) and building.main <= told and several
+    return building.main <= told and several
 
 
 _GROSS, _GROSS_TOLD = 1.8, 1.45

@@ -12,7 +12,7 @@ from mansion_scene.placement.candidates import floor_poses, flush_poses, wall_po
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.room_model import Wall
-from mansion_scene.placement.scoring import pose_scores, with_way_around
+from mansion_scene.placement.scoring import looks_along, pose_scores, with_way_around
 from mansion_scene.placement.search import examine, needs_floor_before, relation_mask, worked_at
 from mansion_scene.placement.units import Unit
 
@@ -48,9 +48,6 @@ _VIEW = 3.0
 
 _LEAST_VIEW, _FEWER = 2.0, 0.5
 """Free floor that an audience has before it at least, metres, and the share of its seats that stays without."""
-
-_LONG = 1.4
-"""Length of a room, in its widths, from which an audience looks along it."""
 
 _SCREEN = 5.0
 """Width of a wall for a screen or a stage, metres; what is more does not count."""
@@ -324,6 +321,8 @@ def _spacings(floor: Floor, spec: Spec, unit: Unit, copies: int, aisle: float) -
         return [(floor.gap, wide) for wide in _FORKLIFT_AISLES] + [(floor.gap, aisle), (floor.gap, lane)]
     if spec.role.bed and not spec.first:
         return [(0.6, aisle), (_BETWEEN_BEDS, 0.75), (_BETWEEN_BEDS, _BETWEEN_BEDS), (lane, lane)]
+    if spec.role.entered_at_ends:
+        return [(wide, deep) for wide in (1.4, aisle, 0.8) for deep in (0.6, _LEGS, 0.4)] + [(floor.gap, _LEGS)]
     if _is_audience(spec, unit) and not spec.first:
         return [(floor.gap, 1.25 * aisle), (floor.gap, aisle), (floor.gap, 0.75), (floor.gap, 0.6), (floor.gap, _LEGS)]
     if len(unit.parts) == 1 and not spec.role.table:
@@ -431,12 +430,8 @@ def _facing(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
 
 def _looking_lengthwise(floor: Floor, poses: Floats) -> Floats:
     """Return the poses at which an audience looks along a long room, where there are any."""
-    across, along = sorted(float(side) for side in floor.room.bounds[2:] - floor.room.bounds[:2])
-    if along < _LONG * across or not len(poses):
-        return poses
-    axis = int(np.argmax(floor.room.bounds[2:] - floor.room.bounds[:2]))
-    ahead = np.abs((-poses[:, 3], poses[:, 2])[axis])
-    return np.asarray(poses[ahead > 0.9])
+    along = looks_along(floor, poses)
+    return np.asarray(poses[along]) if along.any() else poses
 
 
 def _with_view(floor: Floor, macro: Unit, poses: Floats) -> Floats:

@@ -9,7 +9,7 @@ from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.units import Unit
 
-__all__ = ["WORKED_AT", "hob_before_window", "pose_scores", "screen_of", "view", "with_way_around"]
+__all__ = ["WORKED_AT", "hob_before_window", "looks_along", "pose_scores", "screen_of", "view", "with_way_around"]
 
 
 _FAR = 1.5
@@ -25,6 +25,9 @@ _WAY = 0.65
 
 _PASSED, _CROWDED = 0.45, 1.5
 """Free floor on each side of a group of furniture, metres, and what it costs to have less."""
+
+_LONG, _AT_THE_END = 1.4, 1.2
+"""Length of a room, in its widths, from which an audience looks along it, and what it is worth to face it there."""
 
 _FOR_TWO, _ENTRY = 1.3, 0.5
 """Width of a bed from which two sleep in it, and of the floor on either side where they get in, metres."""
@@ -92,11 +95,20 @@ def _at_wall(floor: Floor, spec: Spec, unit: Unit, poses: Floats, clear: Floats)
         if spec.role.focal:
             score -= _window_behind(floor, poses)
             score += _same_wall(floor, spec, poses)
+            score += _AT_THE_END * looks_along(floor, poses)
     else:
         score += 0.5 * (1.0 - beside / _FAR)
         # Either touching its neighbour or leaving room to pass: no unusable gap.
         score -= 0.4 * ((beside > 0.06) & (beside < 0.35))
     return np.asarray(score)
+
+
+def looks_along(floor: Floor, poses: Floats) -> Bools:
+    """Tell which poses look along a long room, either way; none in a room that is not long."""
+    sides = floor.room.bounds[2:] - floor.room.bounds[:2]
+    if float(sides.max()) < _LONG * float(sides.min()):
+        return np.zeros(len(poses), dtype=np.bool_)
+    return np.asarray(np.abs((-poses[:, 3], poses[:, 2])[int(np.argmax(sides))]) > 0.9)
 
 
 def _window_behind(floor: Floor, poses: Floats) -> Floats:

@@ -48,6 +48,7 @@ _KINDS: tuple[tuple[str, WindowKind | None], ...] = (
     ("cooking", WindowKind(1.5, 1.1, 1.15, 0.9, "hung")),
     # Pictures need the walls, and light that does not blind.
     ("hung", WindowKind(2.4, 0.7, 2.3, 0.8)),
+    ("worship", WindowKind(0.9, 2.8, 1.1, 1.7)),
     ("assembly", WindowKind(2.4, 1.9, 0.6, 0.8)),
     ("office", WindowKind(1.8, 1.7, 0.85, 0.7)),
     ("teaching", WindowKind(1.8, 1.7, 0.9, 0.5)),

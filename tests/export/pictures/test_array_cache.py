@@ -1,8 +1,8 @@
-"""Arrays of textures are kept up to a number of bytes."""
+"""Arrays are kept up to a number of bytes."""
 
 import numpy as np
 
-from mansion_export.pictures.texture_sampling import ArrayCache
+from mansion_export.pictures.array_cache import ArrayCache
 from mansion_geometry.compiled import Floats
 
 
