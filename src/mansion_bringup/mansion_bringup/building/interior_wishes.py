@@ -129,10 +129,17 @@ def _height(wish: Wish, state: JudgedBuilding) -> Verdict:
 
 
 def _material(wish: Wish, state: JudgedBuilding) -> Verdict:
-    rooms = _of_type(wish, state)
     surface = "wall" if wish.value.type == "wall" else "floor"
+    like = [other for other in state.program.wishes if (other.kind, other.value.type) == ("material", wish.value.type)]
+    own = {other.scope.room_type for other in like} - {"", wish.scope.room_type}
+    rooms = [room for room in _of_type(wish, state) if room.type not in own]
     have = [room for room in rooms if _is_of(room.surfaces[surface], wish.value.name)]
-    return met_if(2 * len(have) > len(rooms), "most rooms have another material", partly=bool(have))
+    every = wish.scope.each or wish.scope.room_type
+    other = next((room for room in rooms if room not in have), None)
+    if other is None or (not every and 2 * len(have) > len(rooms)):
+        return met_if(bool(have), "there is no such room")
+    near = have or [room for room in rooms if _is_of(room.surfaces[surface], wish.value.name, coloured=False)]
+    return met_if(False, f"{other.full_id} has {spoken(other.surfaces[surface])}", partly=bool(near))
 
 
 def _clutter(wish: Wish, state: JudgedBuilding) -> Verdict:
@@ -149,12 +156,25 @@ def _clutter(wish: Wish, state: JudgedBuilding) -> Verdict:
     return met_if(good, f"too {'few' if many else 'many'} things lie about{amount}", partly=True)
 
 
-def _is_of(surface: str, wanted: str) -> bool:
-    """Whether a surface is of the substance that is wanted; where only colours are, whether it has one of them."""
-    substances = _substances(wanted)
-    if substances:
-        return not substances.isdisjoint(_substances(surface))
-    return not _material_words(wanted).isdisjoint(_material_words(surface))
+def _is_of(surface: str, wanted: str, *, coloured: bool = True) -> bool:
+    """Whether a surface is of the substance and, if `coloured`, of one of the colours that are wanted."""
+    substances, colours = _substances(wanted), _colours(wanted) if coloured else set()
+    if not substances:
+        return not _material_words(wanted).isdisjoint(_material_words(surface))
+    same = not colours or not colours.isdisjoint(_material_words(surface))
+    return same and not substances.isdisjoint(_substances(surface))
+
+
+_COLOURS = frozenset(
+    "white black grey beige blue green red yellow cream brown pink orange navy turquoise purple ivory charcoal".split()
+)
+_SHADES = frozenset({"dark", "light", "pale"})
+
+
+def _colours(text: str) -> set[str]:
+    """Return the colours that a text names; its shades where it names none: "dark oak" is no oak of another kind."""
+    words = _material_words(text)
+    return words & _COLOURS or words & _SHADES
 
 
 def _substances(text: str) -> set[str]:

@@ -17,6 +17,8 @@ _THROUGH = frozenset(
     """.split()
 )
 """Words of relations between rooms of which one is entered from the other."""
+_BEYOND = frozenset({"opposite", "overlooking", "visible", "front"})
+"""Words of relations that ask for more than a wall in common."""
 _CLOSE = 8
 _WORDS = 12
 """Tokens between a relation and a room that its statement names, and of a statement, at most."""
@@ -46,6 +48,8 @@ def state_relations(
             if not first.room_type or not second.room_type or "unknown" in (first.head, second.head):
                 continue
             span = _span_of_relation(reading, relation, *(phrases[n] for n in pair))
+            words = reading.words(relation.first, relation.last)
+            between = words[:1] == ("between",) and len(relation.rights) == 1 and second.plural
             held.append(
                 AdjacencyFact(
                     first.room_type,
@@ -54,7 +58,9 @@ def state_relations(
                     identifier(first.name),
                     identifier(second.name),
                     each=pair[0] != pair[1] and (first.count or 2) > 1 and not relation.apart,
-                    door=not relation.apart and not _THROUGH.isdisjoint(reading.words(relation.first, relation.last)),
+                    door=not relation.apart and not _THROUGH.isdisjoint(words),
+                    sides=2 if between else 1,
+                    beyond=() if relation.apart else tuple(word for word in words if word in _BEYOND),
                 )
             )
         if len(held) == many:
@@ -81,7 +87,8 @@ def _pairs(groups: Mapping[int, list[int]], relation: Relation) -> list[tuple[in
         return [(a, b) for n, a in enumerate(group) for b in group[n + 1 :]]
     lefts, rights = ([m for n in side for m in groups.get(n, [n])] for side in (relation.lefts, relation.rights))
     if relation.apart:
-        return [(left, right) for left in lefts for right in rights if left != right]
+        alone = lefts == rights and len(lefts) == 1  # "the two bedrooms must not share a wall"
+        return [(left, right) for left in lefts for right in rights if left != right or alone]
     if len(relation.lefts) == len(relation.rights) and len(relation.lefts) > 1:
         return list(zip(relation.lefts, relation.rights))
     return [(left, right) for left in relation.lefts for right in relation.rights]

@@ -179,7 +179,7 @@ MUTUALLY_APART_AT = _by_first(_MUTUALLY_APART)
 
 
 LEADS = frozenset(
-    {"between", "wall", "each", "to", "of", "from", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))}
+    {"between", "wall", "each", "to", "of", "from", "join", "serve", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))}
 )
 """Words that a relation can begin with."""
 NEGATIONS = frozenset({"none", "nothing", "not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})

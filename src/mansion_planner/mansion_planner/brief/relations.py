@@ -13,6 +13,7 @@ from mansion_planner.brief.mutual_relations import (
     closes_clause,
     mutual_relation,
     postposed_relation,
+    relation_to_all,
     wall_relation,
 )
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
@@ -106,7 +107,8 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         return _reached_from(reading, phrases, rooms, index)
     if reading.words(index, index + 2) == ("wall", "between"):
         return wall_relation(reading, phrases, rooms, index)
-    found = _in_a_row(reading, phrases, rooms, index) or _said_of_both(reading, phrases, rooms, index)
+    found = relation_to_all(reading, phrases, rooms, index) or _in_a_row(reading, phrases, rooms, index)
+    found = found or _said_of_both(reading, phrases, rooms, index)
     if found is not None:
         return found
     if reading.words(index, index + 2) in (("to", "the"), ("of", "the")) and index not in reading.taken:
@@ -234,7 +236,8 @@ _OWNED = frozenset({"ensuite_bathroom", "walk_in_closet", "dressing_room"})
 def _directed(
     reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int, *, apart: bool
 ) -> tuple[Relation, int] | None:
-    pronoun = reading.word(last) in PRONOUNS or reading.word(last - 1) == "it"
+    named = any(phrases[n].begin == last + 1 for n in rooms)  # "next to that office"
+    pronoun = (reading.word(last) in PRONOUNS and not named) or reading.word(last - 1) == "it"
     rights = [] if pronoun else rooms_after(reading, phrases, rooms, index, last)
     before = rooms_in_sentence(reading, phrases, rooms, index, before=True)
     negated = apart or is_negated(reading, phrases, rooms, index)

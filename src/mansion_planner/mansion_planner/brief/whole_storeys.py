@@ -2,7 +2,7 @@
 
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
-__all__ = ["HOLDING_ROOMS", "all_on_one", "attic_above"]
+__all__ = ["HOLDING_ROOMS", "all_on_one", "attic_above", "has_upper_storeys"]
 
 HOLDING_ROOMS = frozenset(
     {":", "is", "hold", "holds", "has", "contain", "contains", "become", "becomes", "get", "gets", "house", "houses"}
@@ -62,3 +62,19 @@ def _is_all_there_is(reading: Reading, index: int) -> bool:
     measured = reading.word(at) == "," and reading.kind(at + 1) == "number" and reading.kind(at + 2) == "unit"
     closed = reading.breaks(at + 3) or reading.word(at + 3) == "," if measured else reading.breaks(at)
     return closed and (reading.starts(index) or reading.word(index - 1) == ",")
+
+
+def has_upper_storeys(reading: Reading) -> bool:
+    """Whether a brief speaks of storeys above the ground floor anywhere: "upstairs", "two storeys", "first floor"."""
+    tokens = reading.tokens
+    pairs = zip(tokens, tokens[1:], strict=False)
+    numbered = any(
+        after.text in FLOOR_WORDS
+        and ((token.kind == "number" and reading.value(at) >= 2) or token.kind == "ordinal" or token.text in _UPPER)
+        for at, (token, after) in enumerate(pairs)
+    )
+    return numbered or not _UPSTAIRS.isdisjoint(token.text for token in tokens)
+
+
+_UPPER = frozenset({"top", "upper"})
+_UPSTAIRS = frozenset({"upstairs", "upstair"})

@@ -291,7 +291,7 @@ class _Ledger:
             self.add("style", span, WishValue(name=style))
         for material in facts.materials:
             value = WishValue(name=material.material, type=material.surface)
-            self.add("material", material.span, value, Scope(room_type=material.room_type))
+            self.add("material", material.span, value, Scope(room_type=material.room_type, each=material.throughout))
         for clutter in facts.clutter:
             self.add("clutter", clutter.span, WishValue(name=clutter.clutter), Scope(room_type=clutter.room_type))
         for height in facts.heights:
@@ -376,8 +376,9 @@ class _Ledger:
             other=fact.second_name or fact.second,
             other_type=fact.second,
             door=fact.door,
+            count=fact.sides if fact.sides > 1 else None,
+            unheeded=[*fact.beyond, *self._unread_subject(fact.span)],
         )
-        value = msgspec.structs.replace(value, unheeded=self._unread_subject(fact.span))
         self.add(kind, fact.span, value, Scope(each=fact.each))
 
     def _unread_subject(self, relation: Span) -> list[str]:
