@@ -69,7 +69,7 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     unheeded : list of str
         Words that say how it is to be ("soundproof"), and that nothing is made of.
     limit : {"", "most", "least"}
-        The area is a bound: no more, or no less, is wanted.
+        The area is a bound: no more, or no less, is wanted. Of furniture, no more than `count` is wanted anywhere.
     door : bool
         A door or an opening is to join the two rooms of a relation.
     """

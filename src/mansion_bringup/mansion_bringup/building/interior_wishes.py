@@ -55,7 +55,8 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
     status: WishStatus = "met" if least >= wanted else "partly" if having else "not_met"
     where = f" in a {'room' if wish.scope.room else 'storey'}" if wish.scope.each else ""
     reason = "" if status == "met" else f"{least} of {wanted} found a place{where}"
-    most = _of_that_noun(wish, having) if wish.value.exact and wish.scope.room else 0
+    bounded = wish.value.exact and (wish.scope.room or wish.value.limit == "most")
+    most = _of_that_noun(wish, having) if bounded else 0
     if status == "met" and most > wanted:
         status, reason = "partly", f"{most} instead of {wanted} are there{where}"
     lost = [word for word in wish.value.unheeded if not _all_are(wish, rooms, word, wanted, planned=state.planned)]
@@ -90,7 +91,12 @@ def _of_that_noun(wish: Wish, rooms: Sequence[JudgedRoom]) -> int:
 
 
 def _no_object(wish: Wish, state: JudgedBuilding) -> Verdict:
-    rooms = [room for room in _object_rooms(wish, state) if _count(wish, room)]
+    laid = "carpet" in wish.value.name.rstrip("s").split("_")  # which covers floors as well
+    rooms = [
+        room
+        for room in _object_rooms(wish, state)
+        if _count(wish, room) or (laid and "carpet" in _substances(room.surfaces["floor"]))
+    ]
     return met_if(not rooms, f"{rooms[0].full_id if rooms else ''} has one", rooms=[room.full_id for room in rooms])
 
 

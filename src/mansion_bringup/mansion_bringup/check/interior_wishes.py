@@ -50,7 +50,7 @@ def _object(wish: Wish, finished: FinishedBuilding) -> str:
     have = min(counts.values(), default=0) if wish.scope.each else sum(counts.values())
     if not (wish.value.type and counts and have >= wanted):
         return f"{have} of {wanted} are there"
-    if wish.value.exact and wish.scope.room:
+    if wish.value.exact and (wish.scope.room or wish.value.limit == "most"):
         named = _things(wish, finished, noun=wish.value.type.split("_")[-1]).values()
         there = max(named) if wish.scope.each else sum(named)
         if there > wanted:
@@ -77,6 +77,12 @@ def _are_so(wish: Wish, finished: FinishedBuilding, word: str) -> bool:
 
 def _no_object(wish: Wish, finished: FinishedBuilding) -> str:
     places = [place for place, count in _things(wish, finished).items() if count]
+    if not places and re.search(r"(^|_)carpets?$", wish.value.name):
+        scope = wish.scope
+        rooms = (
+            finished.meant(scope.room, scope.room_type, scope.floors) if scope.room else finished.rooms(scope.floors)
+        )
+        places = [room.id for _, room in rooms if "carpet" in room.floor_material]
     return f"{places[0]} has one" if places else ""
 
 

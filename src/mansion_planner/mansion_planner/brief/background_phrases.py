@@ -97,12 +97,18 @@ def _is_tried(reading: Reading, phrase: Phrase) -> bool:
 
 
 def _is_predicate(reading: Reading, phrase: Phrase) -> bool:
-    """Whether rooms named before are only said to be rooms apart: "toilet and bathroom are separated rooms"."""
+    """Whether rooms named before are only said to be rooms apart, or one: "kitchen and living is one space"."""
     words = reading.words(phrase.begin, phrase.noun_end)
+    if words[-1] == "space" and phrase.count == 1 and _ONE.issuperset(words[:-1]):
+        whole = reading.word(phrase.first - 1) in ("is", "are", "be", "in", "form", "as", "into")
+        if whole and not reading.starts(phrase.first - 1):
+            reading.taken.difference_update(range(phrase.first, phrase.last))
+            return True
     said = reading.word(phrase.first - 1) in ("are", "is", "be", "being") and words[-1] == "room"
     return said and len(words) > 1 and all(word in _SEPARATE for word in words[:-1])
 
 
+_ONE = frozenset({"one", "single", "open", "big", "large", "common", "continuous", "open-plan", "plan"})
 _SEPARATE = frozenset("separate separated different distinct independent divided own individual".split())
 
 

@@ -208,6 +208,7 @@ class ObjectFact:
     exact: bool = False
     some: int = 0
     rows: int = 0
+    most: bool = False
 
 
 @dataclass(frozen=True)

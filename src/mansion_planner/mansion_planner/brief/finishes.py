@@ -230,7 +230,8 @@ def read_materials(reading: Reading) -> None:
         surface = _SURFACES.get(reading.word(i))
         if surface is None:
             continue
-        first, end, words = _attributive(reading, i) or _predicative(reading, i) or (0, 0, "")
+        found = _attributive(reading, i) or _predicative(reading, i) or _laid_on(reading, i)
+        first, end, words = found or (0, 0, "")
         if not words or (surface == "floor" and not any(m in words for m in _MATERIALS)):
             continue
         goes_on = not last < 0 and all(word in _JOINING for word in reading.words(last, first))
@@ -273,13 +274,24 @@ def _predicative(reading: Reading, noun: int) -> tuple[int, int, str] | None:
     end = at
     while reading.word(end) in _MATERIALS or reading.word(end) in _COLOURS:
         end += 1
+    end += end > at and reading.word(end) in _OF_COLOUR  # "walls all white color"
     closed = reading.breaks(end) or reading.word(end) in (",", ")", "and", "in", "throughout", "everywhere", "please")
     if at == start or end == at or not closed:
         return None
     first = noun
     while reading.word(first - 1) in ("the", "of") or reading.word(first - 1) in _OF_COLOUR:
         first -= 1
-    return first, end, _text(reading, at, end)
+    return first, end, _text(reading, at, end - (reading.word(end - 1) in _OF_COLOUR))
+
+
+def _laid_on(reading: Reading, noun: int) -> tuple[int, int, str] | None:
+    """Return the same of "terracotta tiles on the floor", "white tiles on the walls"."""
+    at = noun - 1 - (reading.word(noun - 1) in ("the", "all"))
+    first = _material_ending(reading, at)
+    tiled = reading.word(at - 1) in _MATERIALS
+    return (
+        (first - 1, noun + 1, _text(reading, first - 1, at)) if first and tiled and reading.word(at) == "on" else None
+    )
 
 
 def _text(reading: Reading, first: int, last: int) -> str:
@@ -300,6 +312,9 @@ def _rooms_meant(reading: Reading, first: int, noun: int, end: int) -> list[str]
     while reading.word(at - 1) in _HAVING:
         at -= 1
     named = [m for m in reading.mentions if m.last == at and m.room and not m.building]
+    if not named and "on" in reading.words(noun - 2, noun):  # "a kitchen with a stove, tiles on the floor"
+        here = [m for m in reading.mentions if m.last <= first and reading.sentence[m.first] == reading.sentence[first]]
+        named = [m for m in here[-1:] if m.room and not m.building]
     return [named[0].room] if named else []
 
 

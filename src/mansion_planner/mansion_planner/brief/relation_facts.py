@@ -13,7 +13,7 @@ __all__ = ["state_relations"]
 _THROUGH = frozenset(
     """
     open opening lead leading connected connect connecting linked joined link access accessed accessible reached entered
-    communicate communicating attached passage off behind
+    communicate communicating attached passage off behind door doorway
     """.split()
 )
 """Words of relations between rooms of which one is entered from the other."""
@@ -69,6 +69,10 @@ def state_relations(
 
 def _span_of_relation(reading: Reading, relation: Relation, first: Phrase, second: Phrase) -> Span:
     """Return the words of a relation, with those of the rooms that stand close by."""
+    if len(relation.rights) > 1 and not {"all", "every", "each"}.isdisjoint(
+        reading.words(relation.first, relation.last)
+    ):
+        return reading.span(first.begin, relation.last)  # "a hallway that touches all of them"
     begin = min(first.begin, second.begin, relation.first)
     begin = begin if relation.first - begin <= _CLOSE else relation.first
     last = max(first.noun_end, second.noun_end, relation.last)

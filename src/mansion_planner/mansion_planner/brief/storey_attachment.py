@@ -377,10 +377,12 @@ class _Walk:
         return size if size <= most else 0
 
     def _quality(self, place: Place, gap: tuple[str, ...]) -> int:
-        """Return how many tokens a gap has where it only says how a room is: "a store without windows in the basement"."""
+        """Return how many tokens a gap has where it only says how a room is: "a store without windows"."""
         led = gap[:1] in (("with",), ("without",)) and place.led and len(gap) <= _LONGEST_QUALITY
         first = place.first - len(gap)
-        words = all(self.reading.kind(at) == "word" and at not in self.reading.taken for at in range(first, place.first))
+        words = all(
+            self.reading.kind(at) == "word" and at not in self.reading.taken for at in range(first, place.first)
+        )
         return len(gap) if led and words else 0
 
     def _goes_on(self, place: Place) -> bool:

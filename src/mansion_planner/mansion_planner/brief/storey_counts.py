@@ -211,6 +211,8 @@ class StoreyCounts:
         none = reading.word(index) in ("no", "without") and reading.word(last) in FLOOR_WORDS
         if not (none or reading.word(index) in ("nothing", "none")) or named != {1}:
             return 0
+        if any(quantity.value > 1 for quantity in reading.facts.floors):
+            return 0  # "a two-storey clinic with six wards on the ground floor, and none upstairs"
         last += none
         if reading.word(last) not in ("above", "over", "overhead", "upstair", "upstairs"):
             return 0

@@ -3,7 +3,7 @@
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
-__all__ = ["is_elsewhere"]
+__all__ = ["away_end", "is_elsewhere"]
 
 _AWAY = frozenset({"minute", "km", "kilometre", "mile", "walk", "drive", "hour"})
 """How far something is from the building."""
@@ -17,6 +17,51 @@ _STATES = frozenset({"emergency", "accident", "fire"})
 """What a room is kept for, and no room itself: "stays open for emergencies"."""
 
 
+_OTHER_PLACES = frozenset(
+    (
+        *(
+            (over, "the", way)
+            for over, ways in (("across", ("street", "road")), ("over", ("road",)), ("down", ("road", "street")))
+            for way in ways
+        ),
+        *((round_, "the", "corner") for round_ in ("around", "round")),
+        ("next", "door"),
+        ("elsewhere",),
+        ("nearby",),
+        ("off", "site"),
+        ("offsite",),
+        ("in", "town"),
+        ("on", "campus"),
+        *(
+            (at, *which, place)
+            for at in ("in", "at", "on")
+            for which in (("another",), ("a", "different"), ("the", "next"), ("the", "neighbouring"), ("the", "main"))
+            for place in ("building", "town", "village", "city", "site", "campus", "street", "plot", "location")
+        ),
+        *((at, "the", "other", place) for at in ("in", "at", "on") for place in ("town", "site", "campus", "location")),
+    )
+)
+"""Words for where something is that the building therefore does not need."""
+
+
+def away_end(reading: Reading, index: int) -> int:
+    """Return where "across the street", "in the next town" or "at the other site" end that begin at a token; or 0."""
+    return next((index + n for n in (4, 3, 2, 1) if reading.words(index, index + n) in _OTHER_PLACES), 0)
+
+
+def _lies_elsewhere(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a clause only tells that a room is in another place: "the main hospital is in the next town"."""
+    end = away_end(reading, phrase.last + 1)
+    closes = reading.breaks(end) or reading.word(end) in (",", ")")
+    beside = reading.words(phrase.last + 1, end) in (("next", "door"), ("nearby",))
+    opens = reading.starts(_before(reading, phrase) + 1) or reading.word(_before(reading, phrase)) in (
+        ",",
+        "as",
+        "since",
+    )
+    return reading.word(phrase.last) in ("is", "are") and bool(end) and closes and opens and not beside
+
+
 def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     """Whether a phrase names no part of the building, but what is around it, whom it is for or what it was."""
     phrase = phrases[number]
@@ -24,7 +69,12 @@ def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
         return True
     if number == 1 and not phrase.counted and _is_client(reading, phrases):
         return True
-    if not (phrase.building or phrase.room_type) or phrase.counted or phrase.plural:
+    if not (phrase.building or phrase.room_type) or phrase.counted:
+        return False
+    if _lies_elsewhere(reading, phrase):
+        reading.take(phrase.last, away_end(reading, phrase.last + 1))
+        return True
+    if phrase.plural:
         return False
     return (
         (bool(phrase.building) and _is_away(reading, phrase))

@@ -1,5 +1,7 @@
 """Tell attics that are storeys of their own, and a ground floor that is all there is."""
 
+from itertools import pairwise
+
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
 __all__ = ["HOLDING_ROOMS", "all_on_one", "attic_above", "has_upper_storeys"]
@@ -67,11 +69,10 @@ def _is_all_there_is(reading: Reading, index: int) -> bool:
 def has_upper_storeys(reading: Reading) -> bool:
     """Whether a brief speaks of storeys above the ground floor anywhere: "upstairs", "two storeys", "first floor"."""
     tokens = reading.tokens
-    pairs = zip(tokens, tokens[1:], strict=False)
     numbered = any(
         after.text in FLOOR_WORDS
         and ((token.kind == "number" and reading.value(at) >= 2) or token.kind == "ordinal" or token.text in _UPPER)
-        for at, (token, after) in enumerate(pairs)
+        for at, (token, after) in enumerate(pairwise(tokens))
     )
     return numbered or not _UPSTAIRS.isdisjoint(token.text for token in tokens)
 

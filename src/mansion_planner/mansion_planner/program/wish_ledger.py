@@ -74,9 +74,10 @@ def _shared_out(
     if not matching or not fact.room:
         storeys = dict.fromkeys(storey.index for storey, _ in matching) if fact.each else ()
         groups = [[entry for entry in matching if entry[0].index == index] for index in storeys]
-        return [
-            (max(group, key=lambda entry: _likelihood(fact, entry)), count) for group in groups or [matching or rooms]
-        ]
+        groups = groups or [matching or rooms]
+        chosen = [max(group, key=lambda entry: _likelihood(fact, entry)) for group in groups]
+        others = [entry for group in groups for entry in group if entry not in chosen] if fact.most else []
+        return [*((entry, count) for entry in chosen), *((entry, 0) for entry in others)]
     if fact.some and fact.some <= len(matching):
         return [(entry, -(-count // fact.some)) for entry in matching[: fact.some]]
     if fact.each or not fact.exact or count < len(matching):
@@ -409,6 +410,7 @@ class _Ledger:
             count=None if wanted.excluded else wanted.count,
             unwanted=wanted.excluded,
             exact=wanted.exact and not wanted.excluded,
+            limit="most" if wanted.most and not wanted.excluded else "",
             unheeded=self._unread_place(wanted),
         )
         self.add(kind, wanted.span, value, self._place_of(wanted), reason=_stand_in_for(wanted))
