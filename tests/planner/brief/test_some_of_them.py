@@ -70,9 +70,20 @@ def test_each_of_several_rooms_is_to_lie_beside_the_other() -> None:
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "A house where the bathroom is between the two bedrooms",
+        "A practice with three treatment rooms and a sterilisation room between the treatment rooms",
+    ],
+)
+def test_a_room_between_several_of_a_kind_lies_beside_two_of_them(text: str) -> None:
+    (fact,) = _facts(text).adjacent
+    assert fact.sides == 2
+
+
+@pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("A house where the bathroom is between the two bedrooms", "between"),
         ("Two sofas facing each other in the lounge", "facing"),
         ("A house with three bedrooms sharing a bathroom", "sharing"),
         ("An office on three floors; the third floor is like the second floor", "like"),

@@ -55,7 +55,8 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
     status: WishStatus = "met" if least >= wanted else "partly" if having else "not_met"
     where = f" in a {'room' if wish.scope.room else 'storey'}" if wish.scope.each else ""
     reason = "" if status == "met" else f"{least} of {wanted} found a place{where}"
-    most = _of_that_noun(wish, having) if wish.value.exact and wish.scope.room else 0
+    bounded = wish.value.exact and (wish.scope.room or wish.value.limit == "most")
+    most = _of_that_noun(wish, having) if bounded else 0
     if status == "met" and most > wanted:
         status, reason = "partly", f"{most} instead of {wanted} are there{where}"
     lost = [word for word in wish.value.unheeded if not _all_are(wish, rooms, word, wanted, planned=state.planned)]
@@ -90,7 +91,12 @@ def _of_that_noun(wish: Wish, rooms: Sequence[JudgedRoom]) -> int:
 
 
 def _no_object(wish: Wish, state: JudgedBuilding) -> Verdict:
-    rooms = [room for room in _object_rooms(wish, state) if _count(wish, room)]
+    laid = "carpet" in wish.value.name.rstrip("s").split("_")  # which covers floors as well
+    rooms = [
+        room
+        for room in _object_rooms(wish, state)
+        if _count(wish, room) or (laid and "carpet" in _substances(room.surfaces["floor"]))
+    ]
     return met_if(not rooms, f"{rooms[0].full_id if rooms else ''} has one", rooms=[room.full_id for room in rooms])
 
 
@@ -129,10 +135,17 @@ def _height(wish: Wish, state: JudgedBuilding) -> Verdict:
 
 
 def _material(wish: Wish, state: JudgedBuilding) -> Verdict:
-    rooms = _of_type(wish, state)
     surface = "wall" if wish.value.type == "wall" else "floor"
+    like = [other for other in state.program.wishes if (other.kind, other.value.type) == ("material", wish.value.type)]
+    own = {other.scope.room_type for other in like} - {"", wish.scope.room_type}
+    rooms = [room for room in _of_type(wish, state) if room.type not in own]
     have = [room for room in rooms if _is_of(room.surfaces[surface], wish.value.name)]
-    return met_if(2 * len(have) > len(rooms), "most rooms have another material", partly=bool(have))
+    every = wish.scope.each or wish.scope.room_type
+    other = next((room for room in rooms if room not in have), None)
+    if other is None or (not every and 2 * len(have) > len(rooms)):
+        return met_if(bool(have), "there is no such room")
+    near = have or [room for room in rooms if _is_of(room.surfaces[surface], wish.value.name, coloured=False)]
+    return met_if(False, f"{other.full_id} has {spoken(other.surfaces[surface])}", partly=bool(near))
 
 
 def _clutter(wish: Wish, state: JudgedBuilding) -> Verdict:
@@ -149,12 +162,25 @@ def _clutter(wish: Wish, state: JudgedBuilding) -> Verdict:
     return met_if(good, f"too {'few' if many else 'many'} things lie about{amount}", partly=True)
 
 
-def _is_of(surface: str, wanted: str) -> bool:
-    """Whether a surface is of the substance that is wanted; where only colours are, whether it has one of them."""
-    substances = _substances(wanted)
-    if substances:
-        return not substances.isdisjoint(_substances(surface))
-    return not _material_words(wanted).isdisjoint(_material_words(surface))
+def _is_of(surface: str, wanted: str, *, coloured: bool = True) -> bool:
+    """Whether a surface is of the substance and, if `coloured`, of one of the colours that are wanted."""
+    substances, colours = _substances(wanted), _colours(wanted) if coloured else set()
+    if not substances:
+        return not _material_words(wanted).isdisjoint(_material_words(surface))
+    same = not colours or not colours.isdisjoint(_material_words(surface))
+    return same and not substances.isdisjoint(_substances(surface))
+
+
+_COLOURS = frozenset(
+    "white black grey beige blue green red yellow cream brown pink orange navy turquoise purple ivory charcoal".split()
+)
+_SHADES = frozenset({"dark", "light", "pale"})
+
+
+def _colours(text: str) -> set[str]:
+    """Return the colours that a text names; its shades where it names none: "dark oak" is no oak of another kind."""
+    words = _material_words(text)
+    return words & _COLOURS or words & _SHADES
 
 
 def _substances(text: str) -> set[str]:

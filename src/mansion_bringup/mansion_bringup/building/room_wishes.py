@@ -186,6 +186,9 @@ def _adjacent(wish: Wish, state: JudgedBuilding) -> Verdict:
     lonely = [a.full_id for a in firsts if a.full_id not in {first.full_id for first, _ in pairs}]
     if wish.scope.each and pairs and lonely:
         return Verdict("partly", f"{listed(lonely[:3])} lies beside none", ids)
+    sides = max(Counter(first.full_id for first, _ in pairs).values(), default=0)
+    if pairs and sides < (wish.value.count or 1):
+        return Verdict("partly", f"it lies beside {sides} of {wish.value.count}", ids)
     if wish.value.door and pairs and not any(state.joined(a, b) for a, b in pairs):
         return Verdict("partly", "no door or opening joins them", ids)
     same = any(a.floor == b.floor for a in firsts for b in seconds)

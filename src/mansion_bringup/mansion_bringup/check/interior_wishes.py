@@ -31,6 +31,12 @@ SUBSTANCES = (
 )
 """Patterns of the words for one substance each."""
 
+COLOURS = (
+    r"\b(?:white|black|grey|beige|blue|green|red|yellow|cream|brown|pink|orange|navy|turquoise|purple|ivory|charcoal)\b"
+)
+SHADES = r"\b(?:dark|light|pale)\b"
+"""Words of shades, which count where a material is wanted of no colour."""
+
 CEILING_TOLERANCE = 0.10
 """Metres by which a ceiling may differ from the height asked for."""
 
@@ -44,7 +50,7 @@ def _object(wish: Wish, finished: FinishedBuilding) -> str:
     have = min(counts.values(), default=0) if wish.scope.each else sum(counts.values())
     if not (wish.value.type and counts and have >= wanted):
         return f"{have} of {wanted} are there"
-    if wish.value.exact and wish.scope.room:
+    if wish.value.exact and (wish.scope.room or wish.value.limit == "most"):
         named = _things(wish, finished, noun=wish.value.type.split("_")[-1]).values()
         there = max(named) if wish.scope.each else sum(named)
         if there > wanted:
@@ -71,6 +77,12 @@ def _are_so(wish: Wish, finished: FinishedBuilding, word: str) -> bool:
 
 def _no_object(wish: Wish, finished: FinishedBuilding) -> str:
     places = [place for place, count in _things(wish, finished).items() if count]
+    if not places and re.search(r"(^|_)carpets?$", wish.value.name):
+        scope = wish.scope
+        rooms = (
+            finished.meant(scope.room, scope.room_type, scope.floors) if scope.room else finished.rooms(scope.floors)
+        )
+        places = [room.id for _, room in rooms if "carpet" in room.floor_material]
     return f"{places[0]} has one" if places else ""
 
 
@@ -113,19 +125,27 @@ def _height(wish: Wish, finished: FinishedBuilding) -> str:
 
 
 def _material(wish: Wish, finished: FinishedBuilding) -> str:
+    told = [entry for entry in finished.ledger if entry.kind == "material" and entry.value.type == wish.value.type]
+    elsewhere = {entry.scope.room_type for entry in told if entry.scope.room_type} - {wish.scope.room_type}
     surfaces = [
-        room.wall_material if wish.value.type == "wall" else room.floor_material for room in _of_type(wish, finished)
+        room.wall_material if wish.value.type == "wall" else room.floor_material
+        for room in _of_type(wish, finished)
+        if room.room_type not in elsewhere
     ]
     fitting = sum(_made_of(surface, wish.value.name) for surface in surfaces)
-    return "" if 2 * fitting > len(surfaces) else f"{fitting} of {len(surfaces)} rooms have it"
+    strict = wish.scope.each or bool(wish.scope.room_type)
+    enough = fitting == len(surfaces) if strict else 2 * fitting > len(surfaces)
+    return "" if fitting and enough else f"{fitting} of {len(surfaces)} rooms have it"
 
 
 def _made_of(surface: str, wanted: str) -> bool:
-    """Whether one substance, or where no substance is wanted one colour, is in both texts."""
+    """Whether one substance and one of the colours that are wanted are in both texts."""
     here, there = (text.lower().replace("_", " ").replace("gray", "grey") for text in (surface, wanted))
     named = [pattern for pattern in SUBSTANCES if re.search(pattern, there)]
     if named:
-        return any(re.search(pattern, here) for pattern in named)
+        colours = re.findall(COLOURS, there) or re.findall(SHADES, there)
+        coloured = not colours or any(re.search(rf"\b{colour}\b", here) for colour in colours)
+        return coloured and any(re.search(pattern, here) for pattern in named)
     return any(re.search(rf"\b{re.escape(word)}\b", here) for word in there.split())
 
 

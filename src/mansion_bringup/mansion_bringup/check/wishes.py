@@ -358,6 +358,8 @@ def _adjacent(wish: Wish, finished: FinishedBuilding) -> str:
     beside = set(_sides(wish, finished))
     if wish.scope.each and any(room.id not in beside for _, room in finished.meant(wish.value.name, wish.value.type)):
         return "not every such room shares a wall with one"
+    if beside and max(Counter(_sides(wish, finished)).values()) < (wish.value.count or 1):
+        return f"none lies beside {wish.value.count} of them"
     if beside and wish.value.door and not _is_entered(wish, finished):
         return "no door leads from one into the other"
     return "" if beside else "no two such rooms share a wall"

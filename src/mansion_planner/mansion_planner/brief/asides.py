@@ -50,7 +50,7 @@ def aside_tokens(reading: Reading) -> set[int]:
             found |= _someone(reading, index)
         elif word in COLLECTIVES and _acts(reading, index):
             found |= {at for at in range(index - 2, index + 1) if at == index or _describes(reading, at)}
-        elif word in _SITES:
+        elif word in _SITES or (word in ("wood", "woods") and reading.plural(index)):
             found |= _site(reading, index)
         elif word in ("too", "being"):
             found |= _excuse(reading, index)

@@ -7,7 +7,7 @@ from mansion_planner.brief.building import MADE_INTO
 from mansion_planner.brief.phrase import PLAIN, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
-__all__ = ["is_elsewhere", "without_bystanders"]
+__all__ = ["away_end", "is_elsewhere", "without_bystanders"]
 
 _STANDS = frozenset("stand sit lie located situated".split())
 _SITES = frozenset("it building site house plot".split())
@@ -96,12 +96,18 @@ def _is_tried(reading: Reading, phrase: Phrase) -> bool:
 
 
 def _is_predicate(reading: Reading, phrase: Phrase) -> bool:
-    """Whether rooms named before are only said to be rooms apart: "toilet and bathroom are separated rooms"."""
+    """Whether rooms named before are only said to be rooms apart, or one: "kitchen and living is one space"."""
     words = reading.words(phrase.begin, phrase.noun_end)
+    if words[-1] == "space" and phrase.count == 1 and _ONE.issuperset(words[:-1]):
+        whole = reading.word(phrase.first - 1) in ("is", "are", "be", "in", "form", "as", "into")
+        if whole and not reading.starts(phrase.first - 1):
+            reading.taken.difference_update(range(phrase.first, phrase.last))
+            return True
     said = reading.word(phrase.first - 1) in ("are", "is", "be", "being") and words[-1] == "room"
     return said and len(words) > 1 and all(word in _SEPARATE for word in words[:-1])
 
 
+_ONE = frozenset({"one", "single", "open", "big", "large", "common", "continuous", "open-plan", "plan"})
 _SEPARATE = frozenset("separate separated different distinct independent divided own individual".split())
 
 
@@ -334,6 +340,51 @@ _OUTDOOR = frozenset({"outdoor", "outside", "surface"})
 """What stands behind and before parking that is no room."""
 
 
+_OTHER_PLACES = frozenset(
+    (
+        *(
+            (over, "the", way)
+            for over, ways in (("across", ("street", "road")), ("over", ("road",)), ("down", ("road", "street")))
+            for way in ways
+        ),
+        *((round_, "the", "corner") for round_ in ("around", "round")),
+        ("next", "door"),
+        ("elsewhere",),
+        ("nearby",),
+        ("off", "site"),
+        ("offsite",),
+        ("in", "town"),
+        ("on", "campus"),
+        *(
+            (at, *which, place)
+            for at in ("in", "at", "on")
+            for which in (("another",), ("a", "different"), ("the", "next"), ("the", "neighbouring"), ("the", "main"))
+            for place in ("building", "town", "village", "city", "site", "campus", "street", "plot", "location")
+        ),
+        *((at, "the", "other", place) for at in ("in", "at", "on") for place in ("town", "site", "campus", "location")),
+    )
+)
+"""Words for where something is that the building therefore does not need."""
+
+
+def away_end(reading: Reading, index: int) -> int:
+    """Return where "across the street", "in the next town" or "at the other site" end that begin at a token; or 0."""
+    return next((index + n for n in (4, 3, 2, 1) if reading.words(index, index + n) in _OTHER_PLACES), 0)
+
+
+def _lies_elsewhere(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a clause only tells that a room is in another place: "the main hospital is in the next town"."""
+    end = away_end(reading, phrase.last + 1)
+    closes = reading.breaks(end) or reading.word(end) in (",", ")")
+    beside = reading.words(phrase.last + 1, end) in (("next", "door"), ("nearby",))
+    opens = reading.starts(_before(reading, phrase) + 1) or reading.word(_before(reading, phrase)) in (
+        ",",
+        "as",
+        "since",
+    )
+    return reading.word(phrase.last) in ("is", "are") and bool(end) and closes and opens and not beside
+
+
 def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     """Whether a phrase names no part of the building, but what is around it, whom it is for or what it was."""
     phrase = phrases[number]
@@ -343,7 +394,12 @@ def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
         return True
     if number == 1 and not phrase.counted and _is_client(reading, phrases):
         return True
-    if not (phrase.building or phrase.room_type) or phrase.counted or phrase.plural:
+    if not (phrase.building or phrase.room_type) or phrase.counted:
+        return False
+    if _lies_elsewhere(reading, phrase):
+        reading.take(phrase.last, away_end(reading, phrase.last + 1))
+        return True
+    if phrase.plural:
         return False
     return (
         (bool(phrase.building) and _is_away(reading, phrase))

@@ -63,7 +63,12 @@ def _is_said_of_it(reading: Reading, phrase: Phrase, named: Phrase | None) -> bo
         return True  # "Modern farmhouse." is how it looks
     if _is_of_trade(reading, phrase):
         return True  # "over the shop we live ourselves"
+    if named is not None and _WHOLE & set(reading.words(phrase.first, phrase.noun_end)):
+        return True  # "only one sofa in the whole flat"
     return phrase.determiner == "the" and phrase.name in _HOMES  # "all over the house"
+
+
+_WHOLE = frozenset({"whole", "entire"})
 
 
 def _names_it(reading: Reading, phrase: Phrase, named: Phrase | None) -> bool:

@@ -435,11 +435,16 @@ _HOLDS = frozenset(
 def read_completeness(reading: Reading, places: Sequence[Place], phrases: Sequence[Phrase]) -> None:
     """Read "nothing else", "no other rooms" and, of a storey, "nothing but five bedrooms", "only one big office".
 
-    What is said in a sentence that names one storey is of that storey alone.
+    What is said in a sentence that names one storey is of that storey alone. That a room is to hold no other furniture
+    ("an attic with one bed and nothing else") is told of, as nothing is made of it.
     """
     for index in range(len(reading.tokens)):
         pair = reading.words(index, index + 2)
         place = _only_place(reading, places, index)
+        if pair == ("nothing", "else") and _ends_furniture(reading, phrases, index):
+            reading.facts.unread.append(reading.span(index, index + 2))
+            reading.take(index, index + 2)
+            continue
         if _is_complete(reading, index, pair, placed=place is not None):
             last = index + 2
             reading.take(last, last + 1)
@@ -455,6 +460,13 @@ def read_completeness(reading: Reading, places: Sequence[Place], phrases: Sequen
         elif all(refs != place.refs for _, refs in reading.facts.only_on):
             end = next((phrase.last for phrase in phrases if phrase.first == last), last)
             reading.facts.only_on.append((reading.span(index, end), place.refs))
+
+
+def _ends_furniture(reading: Reading, phrases: Sequence[Phrase], index: int) -> bool:
+    """Whether the words at a token go on from the furniture of a room, named in their sentence before it."""
+    before = [p for p in phrases if p.last <= index and reading.sentence[p.first] == reading.sentence[index]]
+    joined = bool(before) and set(reading.words(before[-1].last, index)) <= {",", "and", "but", "in", "it", "there"}
+    return joined and before[-1].head == "object" and any(phrase.head == "room" for phrase in before)
 
 
 def _is_complete(reading: Reading, index: int, pair: tuple[str, ...], *, placed: bool) -> bool:

@@ -150,6 +150,10 @@ class AdjacencyFact:
         Several rooms are spoken of, and every one of them is to lie so.
     door : bool
         One is to be entered from the other.
+    sides : int
+        How many of the second the first lies beside: two in "a store between the shops".
+    beyond : tuple of str
+        What is asked for besides that the two are side by side: "opposite".
     """
 
     first: str
@@ -159,6 +163,8 @@ class AdjacencyFact:
     second_name: str = ""
     each: bool = False
     door: bool = False
+    sides: int = 1
+    beyond: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -202,6 +208,7 @@ class ObjectFact:
     exact: bool = False
     some: int = 0
     rows: int = 0
+    most: bool = False
 
 
 @dataclass(frozen=True)
@@ -223,12 +230,16 @@ class CopyFact:
 
 @dataclass(frozen=True)
 class MaterialFact:
-    """A material for the floors or the walls of a room type, or of all rooms when `room_type` is empty."""
+    """A material for the floors or the walls of a room type, or of all rooms when `room_type` is empty.
+
+    With `throughout`, no room is to be without it.
+    """
 
     surface: Literal["floor", "wall"]
     material: str
     room_type: str
     span: Span
+    throughout: bool = False
 
 
 @dataclass(frozen=True)

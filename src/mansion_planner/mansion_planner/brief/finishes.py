@@ -227,24 +227,107 @@ _SITES = frozenset("park estate zone area district region site town city village
 
 
 def read_materials(reading: Reading) -> None:
-    """Read materials: "oak floors", "marble flooring in the lobby", "white walls", "a tiled kitchen"."""
+    """Read materials: "oak floors", "marble flooring in the lobby", "white walls", "the walls are light grey"."""
+    last, rooms = -1, [""]
     for i in range(len(reading.tokens)):
         surface = _SURFACES.get(reading.word(i))
-        if surface is None or (surface == "floor" and not _material_ending(reading, i)):
+        if surface is None:
             continue
-        first = _material_ending(reading, i)
-        if not first or reading.word(i + 1) in ("between", "around"):
-            continue  # "glass walls between the offices" are not all walls
-        words = reading.text[reading.tokens[first - 1].start : reading.tokens[i - 1].end].lower()
-        if surface == "floor" and not any(m in words for m in _MATERIALS):
+        found = _attributive(reading, i) or _predicative(reading, i) or _laid_on(reading, i)
+        first, end, words = found or (0, 0, "")
+        if not words or (surface == "floor" and not any(m in words for m in _MATERIALS)):
             continue
-        room = ""
-        if reading.word(i + 1) in ("in", "for", "throughout"):
-            room = room_after(reading, i + 2)
-        reading.facts.materials.append(
-            MaterialFact(surface, words, room, reading.span(first - 1, i + 1))  # type: ignore[arg-type]
-        )
-        reading.take(first - 1, i + 1)
+        goes_on = not last < 0 and all(word in _JOINING for word in reading.words(last, first))
+        rooms = _rooms_meant(reading, first, i, end) or (rooms if goes_on and last < first else [""])
+        throughout = not _EVERYWHERE.isdisjoint((reading.word(first - 1), reading.word(end)))
+        for room in rooms:
+            reading.facts.materials.append(
+                MaterialFact(surface, words, room, reading.span(first, end), throughout)  # type: ignore[arg-type]
+            )
+        reading.take(first, end)
+        last = end
+
+
+_JOINING = frozenset({"and", ",", "a", "an", "the", "with"})
+_EVERYWHERE = frozenset({"all", "every", "throughout", "everywhere"})
+_HAVING = frozenset("has have get gets need needs with should must will a an the its their : would want".split())
+"""Words between a room and what its floor or walls are made of: "the kitchen should have a marble floor"."""
+_COPULAS = frozenset({"is", "are", "be", "should", "must", "shall", "in", "made", "of", "painted", ":", "=", "all"})
+"""Words between walls or floors and what they are made of: "the walls should be painted in light grey"."""
+_OF_COLOUR = frozenset({"colour", "color"})
+
+
+def _attributive(reading: Reading, noun: int) -> tuple[int, int, str] | None:
+    """Return where "black marble floor" begins and ends, and its material; nothing where no material leads the noun."""
+    first = _material_ending(reading, noun)
+    if not first or reading.word(noun + 1) in ("between", "around"):
+        return None  # "glass walls between the offices" are not all walls
+    return first - 1, noun + 1, _text(reading, first - 1, noun)
+
+
+def _predicative(reading: Reading, noun: int) -> tuple[int, int, str] | None:
+    """Return the same of "the walls of the lobby are white", "colour of the walls: light grey"."""
+    at = noun + 1 + (reading.word(noun + 1) in _OF_COLOUR)
+    if reading.word(at) in ("of", "in") and reading.word(at + 1) in ("the", "all", "every", "each"):
+        mention = reading.mention_at.get(at + 2)
+        at = mention.last if mention is not None and (mention.room or mention.building) else at
+    start = at
+    while reading.word(at) in _COPULAS:
+        at += 1
+    end = at
+    while reading.word(end) in _MATERIALS or reading.word(end) in _COLOURS:
+        end += 1
+    end += end > at and reading.word(end) in _OF_COLOUR  # "walls all white color"
+    closed = reading.breaks(end) or reading.word(end) in (",", ")", "and", "in", "throughout", "everywhere", "please")
+    if at == start or end == at or not closed:
+        return None
+    first = noun
+    while reading.word(first - 1) in ("the", "of") or reading.word(first - 1) in _OF_COLOUR:
+        first -= 1
+    return first, end, _text(reading, at, end - (reading.word(end - 1) in _OF_COLOUR))
+
+
+def _laid_on(reading: Reading, noun: int) -> tuple[int, int, str] | None:
+    """Return the same of "terracotta tiles on the floor", "white tiles on the walls"."""
+    at = noun - 1 - (reading.word(noun - 1) in ("the", "all"))
+    first = _material_ending(reading, at)
+    tiled = reading.word(at - 1) in _MATERIALS
+    return (
+        (first - 1, noun + 1, _text(reading, first - 1, at)) if first and tiled and reading.word(at) == "on" else None
+    )
+
+
+def _text(reading: Reading, first: int, last: int) -> str:
+    return reading.text[reading.tokens[first].start : reading.tokens[last - 1].end].lower()
+
+
+def _rooms_meant(reading: Reading, first: int, noun: int, end: int) -> list[str]:
+    """Return the room types that a material is said of, before its words or after them; nothing where none is named."""
+    after = end if end == noun + 1 else noun + 1  # "the walls of the lobby are white"
+    if reading.word(after) in ("in", "for", "throughout", "of"):
+        found, at = [room_after(reading, after + 1)], after + 1
+        while found[0] and (joint := _joint_after(reading, at)):
+            found.append(room_after(reading, joint))
+            at = joint
+        if found[0]:
+            return [room for room in found if room]
+    at = first
+    while reading.word(at - 1) in _HAVING:
+        at -= 1
+    named = [m for m in reading.mentions if m.last == at and m.room and not m.building]
+    if not named and "on" in reading.words(noun - 2, noun):  # "a kitchen with a stove, tiles on the floor"
+        here = [m for m in reading.mentions if m.last <= first and reading.sentence[m.first] == reading.sentence[first]]
+        named = [m for m in here[-1:] if m.room and not m.building]
+    return [named[0].room] if named else []
+
+
+def _joint_after(reading: Reading, index: int) -> int:
+    """Return what follows "and" right behind the room at a token: "in the kitchen and the hall"; 0 for no such joint."""
+    for at in range(index, index + 4):
+        mention = reading.mention_at.get(at)
+        if mention is not None:
+            return mention.last + 1 if reading.word(mention.last) == "and" else 0
+    return 0
 
 
 def _material_ending(reading: Reading, end: int) -> int:
@@ -262,8 +345,9 @@ def room_after(reading: Reading, index: int) -> str:
     for at in range(index, index + 4):
         mention = reading.mention_at.get(at)
         if mention is not None and (mention.room or mention.building):
-            return mention.room or room_of_building(mention.building, reading.knowledge)
-        if reading.breaks(at) or reading.word(at) == ",":
+            whole = not mention.room and reading.word(at - 1) in ("the", "whole", "entire") and not reading.plural(at)
+            return "" if whole else mention.room or room_of_building(mention.building, reading.knowledge)
+        if reading.breaks(at) or reading.word(at) in (",", "and", "with"):
             break
     return ""
 

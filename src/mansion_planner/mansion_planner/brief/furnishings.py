@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from mansion_planner.brief.absences import is_nowhere_wanted
 from mansion_planner.brief.area_words import after_area
-from mansion_planner.brief.facts import ObjectFact
+from mansion_planner.brief.facts import MaterialFact, ObjectFact
 from mansion_planner.brief.furniture_words import special_kind, usually_in
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -51,6 +51,8 @@ def read_furnishings(
     for number, phrase in enumerate(phrases):
         if phrase.head != "object" or _passes_by(reading, phrases, number):
             continue
+        if number not in negated and _covers_floor(reading, phrase, phrases[owners[number][0] or 0], owners[number]):
+            continue
         for owner in _residents_rooms(reading, phrases, number, same) or [_named_owner(phrases, owners[number], same)]:
             placed = _placed_owner(reading, phrases, number, owner, negated)
             found.append(_furniture(reading, phrases, number, placed, attached, excluded=number in negated))
@@ -62,6 +64,16 @@ def read_furnishings(
             seated = replace(found[-1], words=span.words, category="chair", span=span, count=seats, exact=False)
             found.append(replace(seated, noun="seats"))
     return found
+
+
+def _covers_floor(reading: Reading, phrase: Phrase, room: Phrase, owner: "_Owner") -> bool:
+    """Whether carpet is the floor of a room and not a thing in it, and state it: "the bedrooms, which have carpet"."""
+    bare = not (phrase.determiner or phrase.counted or phrase.plural)
+    floor = bare and phrase.category == "rug" and reading.words(phrase.begin, phrase.noun_end) == ("carpet",)
+    if floor and owner[0] is not None and room.room_type:
+        span = reading.span(phrase.first, phrase.last)
+        reading.facts.materials.append(MaterialFact("floor", "carpet", room.room_type, span))
+    return floor and owner[0] is not None and bool(room.room_type)
 
 
 _Owner: TypeAlias = tuple[int | None, bool]
@@ -142,6 +154,7 @@ def _furniture(
         floors=placed.refs if placed is not None else (),
         noun=phrase.label,
         exact=phrase.counted and _NO_MORE.isdisjoint(reading.words(phrase.first, phrase.last)),
+        most=phrase.counted and reading.word(phrase.first - 1) in ("only", "just", "exactly"),
         some=some,
         rows=rows,
     )
@@ -260,7 +273,7 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         bedded = phrase.room_type in _DORMITORIES
         if not named or not phrase.room_type or number in negated or (phrase.room_type in _UNSEATED and not bedded):
             continue
-        end = after_area(reading, phrase.last)
+        end = _after_storey(reading, after_area(reading, phrase.last))
         begin = end + (reading.word(end) == ",")
         begin = begin + 1 if reading.word(begin) in ("each", "every") else end
         link, at = reading.word(begin), begin + 1
@@ -285,8 +298,20 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
             count=int(reading.value(at)), room=phrase.name, room_type=phrase.room_type, each=each,
             noun="beds" if bedded else "seats", exact=bedded,
         ))  # fmt: skip
-        reading.take(end, last)
+        reading.take(begin - (begin > end), last)
     return found
+
+
+def _after_storey(reading: Reading, index: int) -> int:
+    """Return where a storey ends that stands at a token: "an office upstairs for 15 people"."""
+    if reading.word(index) in _STAIRS:
+        return index + 1
+    if reading.word(index) not in ("on", "at", "in") or reading.word(index + 1) != "the":
+        return index
+    return next((at + 1 for at in range(index + 2, index + 4) if reading.word(at) in FLOOR_WORDS), index)
+
+
+_STAIRS = frozenset({"upstairs", "upstair", "downstairs", "downstair"})
 
 
 def _numbered_places(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]]) -> list[ObjectFact]:
@@ -344,6 +369,9 @@ def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     before_it = reading.words(phrase.begin - 2, phrase.begin)
     if before_it in _BROUGHT or (phrase.category == "telephone" and before_it in (("on", "the"), ("over", "the"))):
         return True
+    if before_it == ("with", "the") and "wall" in reading.words(phrase.begin - 4, phrase.begin):
+        reading.taken.difference_update(range(phrase.first, phrase.last))
+        return True  # "cells must not share a wall with the front desk"
     if reading.word(phrase.first - 1) == "for" and not phrase.counted:
         if phrase.determiner in _POINTS:
             return True

@@ -159,10 +159,17 @@ def is_date_or_age(reading: Reading, index: int) -> bool:
         and value <= _OLDEST
     ):
         return True  # "my parents (both over 70)"
+    if before == "and" and reading.kind(index - 2) == "number" and closes:
+        return is_date_or_age(reading, index - 2)
+    old = _SENIOR <= value <= _OLDEST and closes
+    if old and before in ("are", "is") and reading.word(index - 2) in ("they", "who"):
+        return True  # "they are 75 and 80"
     aged = (before in _AGED or before in _SOMEBODY) and (closes or after == "year") and 1 < value <= _OLDEST
     return aged and (before in _SOMEBODY or _has_somebody(reading, index - 1))
 
 
+_SENIOR = 50
+"""Years from which on a bare number behind "they are" is no number of people."""
 _BOTH = frozenset({"both", "are", "is", "all", "am"})
 _SPANS = frozenset("day week weekend month year decade century hour minute night season generation shift time".split())
 _SOMEBODY = frozenset(

@@ -6,14 +6,21 @@ from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.relation_rooms import Relation, is_negated, rooms_in_sentence
 
-__all__ = ["between_relation", "closes_clause", "mutual_relation", "postposed_relation", "wall_relation"]
+__all__ = [
+    "between_relation",
+    "closes_clause",
+    "mutual_relation",
+    "postposed_relation",
+    "relation_to_all",
+    "wall_relation",
+]
 
 
 def closes_clause(reading: Reading, last: int, phrases: list[Phrase], rooms: list[int]) -> bool:
     """Whether nothing that could be the second room follows before the clause ends."""
     return reading.breaks(last) or reading.word(last) in (
         *(",", ")", "and", "on", "in", "at", ":", "if", "to"),
-        *("go", "is", "are", "but", "plus", "which", "take", "occupy", "so"),
+        *("go", "is", "are", "but", "plus", "which", "take", "occupy", "so", "since", "because", "as"),
     )
 
 
@@ -21,7 +28,8 @@ def between_relation(
     reading: Reading, phrases: list[Phrase], rooms: list[int], index: int
 ) -> tuple[Relation, int] | None:
     alone = reading.word(index - 1) == "in" and (reading.breaks(index + 1) or reading.word(index + 1) in (",", ")"))
-    if alone or reading.word(index + 1) == "them" or reading.words(index + 1, index + 3) == ("the", "two"):
+    two = reading.words(index + 1, index + 3) == ("the", "two")
+    if alone or reading.word(index + 1) == "them" or (two and not any(phrases[n].begin == index + 3 for n in rooms)):
         unread = reading.kind(index + 3) == "word" and index + 3 not in reading.taken
         elided = reading.word(index + 2) == "two" and not (unread and reading.word(index + 3) not in FUNCTION_WORDS)
         last = index + 2 - alone + (elided and not alone)
@@ -63,6 +71,36 @@ def _told_of_both(
 
 _CONTACTS = frozenset("neighbourhood neighborhood adjacency contact connection door passage opening hatch".split())
 """Nouns for what joins two rooms that are side by side."""
+
+
+_TO_ALL = tuple(
+    (*to, *rooms)
+    for to in ((), ("to",), ("with",), ("into",), ("onto",))
+    for rooms in (
+        ("all", "of", "them"),
+        ("them", "all"),
+        ("all", "room"),
+        ("all", "the", "room"),
+        ("all", "other", "room"),
+        ("all", "the", "other", "room"),
+        ("every", "room"),
+        ("every", "other", "room"),
+        ("each", "of", "them"),
+    )
+)
+
+
+def relation_to_all(
+    reading: Reading, phrases: list[Phrase], rooms: list[int], index: int
+) -> tuple[Relation, int] | None:
+    """Read "a kitchen, a bath and a hallway that touches all of them" as of the hallway and each of the others."""
+    if reading.word(index - 1) not in ("that", "which"):
+        return None
+    end = next((index + 1 + len(p) for p in _TO_ALL if reading.words(index + 1, index + 1 + len(p)) == p), 0)
+    before = rooms_in_sentence(reading, phrases, rooms, index, before=True)
+    if not end or len(before) < 2 or phrases[before[-1]].last != index - 1:
+        return None
+    return Relation((before[-1],), tuple(before[:-1]), False, index, end), end
 
 
 def wall_relation(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:

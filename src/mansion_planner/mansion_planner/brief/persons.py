@@ -23,6 +23,7 @@ PERSONS = PEOPLE | frozenset(
     conductor composer dj photographer editor journalist programmer developer designer consultant contractor builder
     plaintiff prisoner guard watchman caretaker janitor cleaner housekeeper volunteer intern apprentice trainee
     grandchildren cousins buddy mate colleague coworker roommate flatmate tenant
+    footballer musician dancer actor sailor
     listener walker hiker skier cyclist runner athlete player fan lover enthusiast
     """.split()
 )

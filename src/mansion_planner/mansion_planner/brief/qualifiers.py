@@ -27,6 +27,7 @@ _PROPERTIES = frozenset(
     sunken vaulted
     sustainable solar ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey
     gray beige turquoise golden medieval baroque futuristic steampunk ancient roman egyptian tudor colonial
+    composting waterless
     automatic electric smart antique floating shallow deep steep kosher halal antistatic double-height
     """.split()
 )
@@ -215,7 +216,7 @@ def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:
 _FORMS_OF_THINGS = frozenset(
     """
     recliner reclining rocking swivel folding extendable extending convertible canopy poster sectional freestanding
-    hanging mounted stacking telescopic roll rolling wheeled tilting adjustable heated upholstered padded
+    gas induction hanging mounted stacking telescopic roll rolling wheeled tilting adjustable heated upholstered padded
     """.split()
 )
 """Words for the form of furniture, of which assets have none but their category's."""

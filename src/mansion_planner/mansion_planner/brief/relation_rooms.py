@@ -103,7 +103,7 @@ def rooms_before(reading: Reading, phrases: list[Phrase], before: list[int], ind
     if not before:
         return []
     lefts = [before[-1]]
-    both = reading.word(index - 1) == "both"
+    both, every = reading.word(index - 1) == "both", reading.word(index - 1) == "all"
     if len(before) > 1 and _is_plural_subject(reading, phrases[before[-2]], phrases[before[-1]]):
         return before[-2:]
     for number in reversed(before[:-1]):
@@ -111,6 +111,7 @@ def rooms_before(reading: Reading, phrases: list[Phrase], before: list[int], ind
         if (
             "nor" in between
             or (both and set(between) <= {"and", "the", "a", "an"})
+            or (every and set(between) <= {"and", "the", "a", "an", ","})
             or ("or" in between and "," not in between)
         ):
             lefts.append(number)

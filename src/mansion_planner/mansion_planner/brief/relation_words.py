@@ -59,6 +59,7 @@ _BESIDE = [
     ("adjoining", "with"),
     ("touch", "with"),
     ("next", "of"),
+    *[(noun, to) for noun in ("door", "doorway", "opening") for to in ("to", "into")],
     *[(noun, to) for noun in ("side", "hatch") for to in ("to", "into", "towards", "toward")],
     ("common", "wall", "with"),
     ("wall", "in", "common", "with"),
@@ -180,7 +181,17 @@ MUTUALLY_APART_AT = _by_first(_MUTUALLY_APART)
 
 
 LEADS = frozenset(
-    {"between", "wall", "each", "to", "of", "from", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))}
+    {
+        "between",
+        "wall",
+        "each",
+        "to",
+        "of",
+        "from",
+        "join",
+        "serve",
+        *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL)),
+    }
 )
 """Words that a relation can begin with."""
 NEGATIONS = frozenset({"none", "nothing", "not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})

@@ -14,6 +14,7 @@ from mansion_planner.brief.mutual_relations import (
     closes_clause,
     mutual_relation,
     postposed_relation,
+    relation_to_all,
     wall_relation,
 )
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
@@ -108,7 +109,8 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         return _reached_from(reading, phrases, rooms, index)
     if reading.words(index, index + 2) == ("wall", "between"):
         return wall_relation(reading, phrases, rooms, index)
-    found = _in_a_row(reading, phrases, rooms, index) or _said_of_both(reading, phrases, rooms, index)
+    found = relation_to_all(reading, phrases, rooms, index) or _in_a_row(reading, phrases, rooms, index)
+    found = found or _said_of_both(reading, phrases, rooms, index)
     if found is not None:
         return found
     if reading.words(index, index + 2) in (("to", "the"), ("of", "the")) and index not in reading.taken:
@@ -236,7 +238,8 @@ _OWNED = frozenset({"ensuite_bathroom", "walk_in_closet", "dressing_room"})
 def _directed(
     reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int, *, apart: bool
 ) -> tuple[Relation, int] | None:
-    pronoun = reading.word(last) in PRONOUNS or reading.word(last - 1) == "it"
+    named = any(phrases[n].begin == last + 1 for n in rooms)  # "next to that office"
+    pronoun = (reading.word(last) in PRONOUNS and not named) or reading.word(last - 1) == "it"
     rights = [] if pronoun else rooms_after(reading, phrases, rooms, index, last)
     before = rooms_in_sentence(reading, phrases, rooms, index, before=True)
     negated = apart or is_negated(reading, phrases, rooms, index)
@@ -318,10 +321,12 @@ def _inverted(reading: Reading, phrases: list[Phrase], before: list[int], index:
 _THROUGH = frozenset(
     """
     open opening lead leading connected connect connecting linked joined link access accessed accessible reached entered
-    communicate communicating attached passage off behind
+    communicate communicating attached passage off behind door doorway
     """.split()
 )
 """Words of relations between rooms of which one is entered from the other."""
+_BEYOND = frozenset({"opposite", "overlooking", "visible", "front"})
+"""Words of relations that ask for more than a wall in common."""
 _CLOSE = 8
 _WORDS = 12
 """Tokens between a relation and a room that its statement names, and of a statement, at most."""
@@ -351,6 +356,8 @@ def state_relations(
             if not first.room_type or not second.room_type or "unknown" in (first.head, second.head):
                 continue
             span = _span_of_relation(reading, relation, *(phrases[n] for n in pair))
+            words = reading.words(relation.first, relation.last)
+            between = words[:1] == ("between",) and len(relation.rights) == 1 and second.plural
             held.append(
                 AdjacencyFact(
                     first.room_type,
@@ -359,7 +366,9 @@ def state_relations(
                     identifier(first.name),
                     identifier(second.name),
                     each=pair[0] != pair[1] and (first.count or 2) > 1 and not relation.apart,
-                    door=not relation.apart and not _THROUGH.isdisjoint(reading.words(relation.first, relation.last)),
+                    door=not relation.apart and not _THROUGH.isdisjoint(words),
+                    sides=2 if between else 1,
+                    beyond=() if relation.apart else tuple(word for word in words if word in _BEYOND),
                 )
             )
         if len(held) == many:
@@ -368,6 +377,10 @@ def state_relations(
 
 def _span_of_relation(reading: Reading, relation: Relation, first: Phrase, second: Phrase) -> Span:
     """Return the words of a relation, with those of the rooms that stand close by."""
+    if len(relation.rights) > 1 and not {"all", "every", "each"}.isdisjoint(
+        reading.words(relation.first, relation.last)
+    ):
+        return reading.span(first.begin, relation.last)  # "a hallway that touches all of them"
     begin = min(first.begin, second.begin, relation.first)
     begin = begin if relation.first - begin <= _CLOSE else relation.first
     last = max(first.noun_end, second.noun_end, relation.last)
@@ -386,7 +399,8 @@ def _pairs(groups: Mapping[int, list[int]], relation: Relation) -> list[tuple[in
         return [(a, b) for n, a in enumerate(group) for b in group[n + 1 :]]
     lefts, rights = ([m for n in side for m in groups.get(n, [n])] for side in (relation.lefts, relation.rights))
     if relation.apart:
-        return [(left, right) for left in lefts for right in rights if left != right]
+        alone = lefts == rights and len(lefts) == 1  # "the two bedrooms must not share a wall"
+        return [(left, right) for left in lefts for right in rights if left != right or alone]
     if len(relation.lefts) == len(relation.rights) and len(relation.lefts) > 1:
         return list(zip(relation.lefts, relation.rights))
     return [(left, right) for left in relation.lefts for right in relation.rights]

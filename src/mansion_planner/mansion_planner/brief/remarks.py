@@ -7,6 +7,7 @@ such remarks whatever stands around them.
 
 from collections.abc import Iterator
 
+from mansion_planner.brief.background_phrases import away_end
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.idle_words import is_idle_word
 from mansion_planner.brief.persons import is_person
@@ -28,6 +29,7 @@ def remark_tokens(reading: Reading) -> Iterator[int]:
         yield from _altitude(reading, index)
         yield from _call(reading, index)
         yield from _version(reading, index)
+        yield from _part_of_game(reading, index)
         yield from _label(reading, index)
         yield from _predicate_of_affair(reading, index)
         yield from _weather(reading, index)
@@ -125,6 +127,22 @@ def _call(reading: Reading, index: int) -> Iterator[int]:
 
 
 _VERSIONS = frozenset({"draft", "post", "plan", "version", "sketch", "attempt", "idea", "try", "proposal", "message"})
+
+
+def _part_of_game(reading: Reading, index: int) -> Iterator[int]:
+    """Yield what game the building is a part of: "I'm building a horror game level"."""
+    if reading.word(index) != "game" or reading.word(index + 1) not in (
+        "level",
+        "map",
+        "scene",
+        "world",
+        "environment",
+    ):
+        return
+    first = index
+    while reading.kind(first - 1) == "word" and reading.word(first - 1) not in FUNCTION_WORDS:
+        first -= 1
+    yield from range(first, index + 2)
 
 
 def _version(reading: Reading, index: int) -> Iterator[int]:
@@ -250,28 +268,16 @@ def _sharing(reading: Reading, index: int) -> Iterator[int]:
         yield index + 2
 
 
-_AWAY = (
-    ("across", "the", "street"),
-    ("across", "the", "road"),
-    ("over", "the", "road"),
-    ("down", "the", "road"),
-    ("down", "the", "street"),
-    ("around", "the", "corner"),
-    ("round", "the", "corner"),
-    ("next", "door"),
-)
-"""Where something is that the building therefore does not need."""
-
-
 def _elsewhere(reading: Reading) -> Iterator[int]:
     """Yield the clauses about what stands elsewhere: "the campus one is across the street"."""
     for index in range(len(reading.tokens)):
-        if not any(reading.words(index, index + len(away)) == away for away in _AWAY):
+        end = away_end(reading, index)
+        if not end:
             continue
         first = _start_of_clause(reading, index)
         words = reading.words(first, index)
         if not {"is", "are", "there's", "there"}.isdisjoint(words) and _tells_of_others(reading, first, index):
-            yield from range(first, index + 3)
+            yield from range(first, end)
 
 
 def _start_of_clause(reading: Reading, index: int) -> int:

@@ -196,6 +196,8 @@ class RoomStatements:
         """Whether an unnumbered room only says again what the brief wants already ("a library ... library")."""
         if phrase.counted or fact.count not in (None, 1) or phrase.determiner in ("a", "an", "another"):
             return False
+        if self.reading.kind(phrase.begin - 1) == "ordinal":
+            return False  # "our bedroom, a second bedroom"
         for number, other in enumerate(self.reading.facts.rooms):
             if (other.name, other.count, other.each) == (fact.name, fact.count, fact.each) and [
                 (r.kind, r.first, r.last) for r in other.floors

@@ -88,6 +88,8 @@ def _is_of_storeys_before(reading: Reading, measure: Measure, before: list[str],
         index -= 1
     index -= apiece and reading.word(index) in ("ground", "grade") and reading.word(index - 1) == "above"
     index -= apiece and reading.word(index) in ("above", "over", "up")  # "three floors above, of 600 m2 each"
+    if apiece and reading.words(index - 1, index + 1) == ("above", "ground"):
+        index -= 2
     if reading.word(index) not in FLOOR_WORDS:
         return False
     plural = reading.plural(index) or _many_before(reading, index)

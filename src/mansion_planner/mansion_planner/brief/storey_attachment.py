@@ -47,6 +47,8 @@ _PLACED = frozenset({"shown", "housed", "displayed", "located", "situated", "pla
 _ASIDES = frozenset({"being", "which", "because", "since", "as"})
 """Words that open a reason or a remark between a room and what is said of it: "the archive, being heavy, belongs"."""
 _LONGEST_ASIDE = 8
+_LONGEST_QUALITY = 4
+"""Words between a room and its storey that say how the room is, at most."""
 
 
 def _aside(gap: tuple[str, ...]) -> int:
@@ -339,6 +341,7 @@ class _Walk:
             gap = gap[gap.index(")") + 1 :]  # "two toilets (m/f) on each level"
         gap = gap[_aside(gap) :]
         gap = gap[self._capacity(phrase.last, len(gap)) :]
+        gap = gap[self._quality(place, gap) :]
         after = phrase.last + len(self.reading.words(phrase.last, place.first)) - len(gap)
         sized = {k for k in range(len(gap)) if self.reading.kind(after + k) in ("number", "unit")}
         joints = {k for k in range(len(gap)) if gap[k] in ("and", ",") and {k - 1, k + 1} & sized}
@@ -351,6 +354,7 @@ class _Walk:
             or (word in _BESIDE and (after + k in self.reading.taken or word == "it"))
             or self.reading.kind(after + k) in ("number", "unit")
             or word in ("(", ")", "of", "about", "x", "people")
+            or (word == "them" and gap[k - 2 : k] in (("all", "of"), ("both", "of")))
             for k, word in enumerate(gap)
         )
         if not measures:
@@ -371,6 +375,15 @@ class _Walk:
             return 0
         size = 2 + (reading.word(index + 2) in PEOPLE)
         return size if size <= most else 0
+
+    def _quality(self, place: Place, gap: tuple[str, ...]) -> int:
+        """Return how many tokens a gap has where it only says how a room is: "a store without windows"."""
+        led = gap[:1] in (("with",), ("without",)) and place.led and len(gap) <= _LONGEST_QUALITY
+        first = place.first - len(gap)
+        words = all(
+            self.reading.kind(at) == "word" and at not in self.reading.taken for at in range(first, place.first)
+        )
+        return len(gap) if led and words else 0
 
     def _goes_on(self, place: Place) -> bool:
         """Whether what follows a place shares it: "on the first floor together with the foyer", "upstairs, where"."""

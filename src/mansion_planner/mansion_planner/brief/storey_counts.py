@@ -7,7 +7,7 @@ from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
-from mansion_planner.brief.storey_kinds import all_on_one, attic_above, storeys_below
+from mansion_planner.brief.storey_kinds import all_on_one, attic_above, has_upper_storeys, storeys_below
 
 __all__ = [
     "ANAPHORS",
@@ -196,8 +196,8 @@ class StoreyCounts:
             reading.word(last + 1) in CLOSERS or reading.word(last + 1) in ("floor", "level")
         )
         one = reading.kind(last) == "number" and reading.value(last) == 1 and reading.word(last + 1) in FLOOR_WORDS
-        if not (grade or ground or one):
-            return index
+        if not (grade or ground or one) or (word == "all" and ground and has_upper_storeys(reading)):
+            return index  # "six classrooms, all on the ground floor", with others upstairs
         last += 1 + (reading.word(last + 1) in FLOOR_WORDS)
         self._state(1, index, last)
         return last
@@ -210,6 +210,8 @@ class StoreyCounts:
         none = reading.word(index) in ("no", "without") and reading.word(last) in FLOOR_WORDS
         if not (none or reading.word(index) in ("nothing", "none")) or named != {1}:
             return 0
+        if any(quantity.value > 1 for quantity in reading.facts.floors):
+            return 0  # "a two-storey clinic with six wards on the ground floor, and none upstairs"
         last += none
         if reading.word(last) not in ("above", "over", "overhead", "upstair", "upstairs"):
             return 0
@@ -547,7 +549,7 @@ class StoreyCounts:
         while before > index - 8 and reading.word(before) not in _NEGATIONS:
             if (
                 reading.breaks(before)
-                or reading.word(before) in ("but", "with", ":")
+                or reading.word(before) in ("but", "with", ":", "in", "on", "at")  # "no windows in the basement"
                 or reading.kind(before) == "number"
             ):
                 before = index - 8

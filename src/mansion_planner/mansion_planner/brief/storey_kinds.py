@@ -1,8 +1,10 @@
 """Tell attics that are storeys of their own, storeys that lie below ground, and a ground floor that is all there is."""
 
+from itertools import pairwise
+
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
-__all__ = ["HOLDING_ROOMS", "all_on_one", "attic_above", "storeys_below"]
+__all__ = ["HOLDING_ROOMS", "all_on_one", "attic_above", "has_upper_storeys", "storeys_below"]
 
 HOLDING_ROOMS = frozenset(
     {":", "is", "hold", "holds", "has", "contain", "contains", "become", "becomes", "get", "gets", "house", "houses"}
@@ -77,3 +79,18 @@ def storeys_below(reading: Reading, index: int) -> tuple[int, int]:
     last = at + 3 + (reading.word(at + 3) in _VERBS)
     place = next((words for words in _BELOW if reading.words(last, last + len(words)) == words), ())
     return (int(reading.value(at)), last + len(place)) if told and place else (0, 0)
+
+
+def has_upper_storeys(reading: Reading) -> bool:
+    """Whether a brief speaks of storeys above the ground floor anywhere: "upstairs", "two storeys", "first floor"."""
+    tokens = reading.tokens
+    numbered = any(
+        after.text in FLOOR_WORDS
+        and ((token.kind == "number" and reading.value(at) >= 2) or token.kind == "ordinal" or token.text in _UPPER)
+        for at, (token, after) in enumerate(pairwise(tokens))
+    )
+    return numbered or not _UPSTAIRS.isdisjoint(token.text for token in tokens)
+
+
+_UPPER = frozenset({"top", "upper"})
+_UPSTAIRS = frozenset({"upstairs", "upstair"})

@@ -130,13 +130,23 @@ class _Pair:
 
     def is_of_others(self) -> bool:
         """Whether only some of the rooms before, or groups of them, have the room."""
-        if "of" in self.gap and not {"which", "them", "these", "those", "whom"}.isdisjoint(self.gap):
+        if (
+            "of" in self.gap
+            and not {"which", "them", "these", "those", "whom"}.isdisjoint(self.gap)
+            and not self._counts_all()
+        ):
             return True  # "six rooms, three of which have a bathroom"
         first = self.named.first
         if self.reading.words(first - 2, first) == ("of", "the") and self.reading.kind(first - 3) == "number":
             return True  # "two of the three bedrooms en suite"
         # "ten offices in two groups, each group with a kitchenette"
         return not {("each", "group"), ("per", "group")}.isdisjoint(itertools.pairwise(self.words))
+
+    def _counts_all(self) -> bool:
+        """Whether "four of them" are all there are: "all bedrooms are upstairs, four of them, each with a bathroom"."""
+        of = self.named.last + self.words.index("of")
+        told = self.reading.kind(of - 1) == "number" and self.reading.value(of - 1) == self.owner.count
+        return told and self.reading.words(of + 2, of + 4) == (",", "each")
 
     def is_closed(self) -> bool:
         """Whether "each" closes what stands before: "meeting rooms with a screen each, a nap room with a sofa"."""
@@ -154,8 +164,16 @@ class _Pair:
         every = self.named.determiner in ("each", "every")
         if every and self.reading.word(self.named.last) in ("get", "has", "need"):
             return False
+        if (every or "each" in self.words[:2]) and self._ends_list_of_furniture(between):
+            return False
         after = self.words[len(self.words) - self.words[::-1].index(",") :]
         return {"with", "each", "own", "its", "has", "have"}.isdisjoint(after)
+
+    def _ends_list_of_furniture(self, between: Sequence[Phrase]) -> bool:
+        """Whether a private room is the last of what each room has: "each room with a bed, a desk and a balcony"."""
+        private = self.phrase.room_type in PRIVATE | {"balcony_room"}
+        last = between[-1]
+        return private and last.head == "object" and self.reading.word(last.last) == "and" and not self.phrase.counted
 
     def counted_with_furniture(self) -> bool:
         """Whether "each" may be said of furniture: "dormitories with 6 beds each and two shower rooms"."""

@@ -48,11 +48,24 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             or _height_of_somebody(tokens, index)
             or _signature(tokens, index)
             or _on_stage(tokens, index)
+            or _order(tokens, index)
         )
         if not skipped:
             result.append(tokens[index])
         index += skipped or 1
     return result
+
+
+def _order(tokens: list[Token], index: int) -> int:
+    """Return the length of "design" where it asks for what follows without an article: "please design office"."""
+    asked = _word(tokens, index) == "design" and _word(tokens, index - 1) in ("please", "kindly", "to", "you")
+    bare = (
+        index + 1 < len(tokens) and tokens[index + 1].kind == "word" and _word(tokens, index + 1) not in _NAMING | _OURS
+    )
+    return int(asked and bare)
+
+
+_OURS = frozenset({"my", "our", "your", "me", "us", "this", "that", "it"})
 
 
 def _word(tokens: list[Token], index: int) -> str:

@@ -14,16 +14,35 @@ __all__ = ["leave_unread"]
 
 
 def leave_unread(reading: Reading) -> None:
-    """Record the runs of content words that nothing was read from."""
+    """Record the runs of content words that nothing was read from; what only small words part is one run."""
     first, passed = -1, reading.taken | aside_tokens(reading)
+    runs: list[tuple[int, int]] = []
     for index in range(len(reading.tokens) + 1):
         open_word = index < len(reading.tokens) and index not in passed and _is_content(reading, index)
         if open_word and first < 0:
             first = index
         elif not open_word and first >= 0:
             if not _asks_for_nothing(reading, first, index):
-                reading.facts.unread.append(reading.span(first, min(index, first + 12)))
+                if runs and _goes_on(reading, *runs[-1], first, passed):
+                    first = runs.pop()[0]
+                runs.append((first, index))
             first = -1
+    reading.facts.unread += [reading.span(begin, min(end, begin + _LONGEST)) for begin, end in runs]
+
+
+def _goes_on(reading: Reading, first: int, last: int, following: int, passed: set[int]) -> bool:
+    """Whether only small words part a run from the next: "share a wall", "doors at least 1 metre wide"."""
+    between = range(last, following)
+    small = all(
+        at not in passed and (reading.word(at) in FUNCTION_WORDS - {"and", "or", "but"} or reading.kind(at) == "unit")
+        for at in between
+    )
+    near = len(between) <= _PARTING and following - first < _LONGEST
+    return near and small and reading.sentence[first] == reading.sentence[following]
+
+
+_LONGEST, _PARTING = 12, 3
+"""Tokens of a run that is told of, and between two that are told of together, at most."""
 
 
 def _asks_for_nothing(reading: Reading, first: int, last: int) -> bool:
@@ -62,7 +81,7 @@ _HOUSEHOLD = frozenset({"couple", "family", "man", "woman", "people", "professio
 _RELATING = frozenset(
     """
     above below beneath underneath over under behind beside next near opposite surrounded share sharing overlooking
-    facing face overlook between identical except unless half ditto idem likewise
+    facing face overlook between identical except unless half ditto idem likewise adjacent adjoining touching
     """.split()
 )
 """Words that tell where a room is, or what it shares; where no relation was read they are told of."""
@@ -80,6 +99,7 @@ _REQUESTS = frozenset(
     design generate imagine think thank suppose assume kindly hereby attach attached regards turn convert converting
     furnish bought dream dreaming wanting requiring requirement help mean means call enter coming map
     wished wishing renovate refurbish redesign naturally course completely strictly oh whatever latter thereabouts
+    scene scenario environment god sake
     utmost provided outgrown premises actually hmm hm um uh erm scrap wait sorry oops add adding cheer regard behalf
     """.split()
 )
@@ -111,6 +131,11 @@ _ASKING = {
     "move": frozenset({"into", "to"}),
     "letting": frozenset({"a", "an", "the", "our", "my", "out"}),
     "restoring": frozenset({"a", "an", "the", "our", "my"}),
+    "building": frozenset({"a", "an", "our", "my"}),
+    "search": frozenset({"a", "an", "for"}),
+    "test": frozenset({"scene", "scenario", "environment", "world", "setup"}),
+    "retirement": frozenset({"place", "home", "house"}),
+    "space": frozenset({"for"}),
 }
 """Verbs that ask for a building where one of these words follows: "we are looking for a flat", "plan a clinic"."""
 
@@ -244,7 +269,9 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return not is_property(token.text) or reading.word(index + 1) in ("there", "outside", "here")
     if token.text == "set" and reading.word(index + 1) == "up":
         return True
-    if token.text == "place" and reading.word(index - 1) in ("old", "current", "present", "previous", "last", "other"):
+    if token.text == "room" and reading.word(index - 1) in ("all", "every") and reading.word(index + 1) == "on":
+        return index + 2 in reading.taken  # "all rooms on one floor"
+    if token.text == "place" and reading.word(index - 1) in _WHOSE_PLACE:
         return True
     if token.text in _SIZES and _has_measure(reading, index):
         return True  # "a gross floor area in the region of 3,200 m2"
@@ -259,6 +286,9 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True  # "a clinic in a building of 170 m2", "an entire seven-storey building"
     around = reading.word(index + 1) in ("around", "round") and reading.word(index + 2) in ("a", "an", "the", "one")
     return token.text in _LAID and around and bool(_YARDS & set(reading.words(index + 2, index + 6)))
+
+
+_WHOSE_PLACE = frozenset({"old", "current", "present", "previous", "last", "other", "retirement", "new", "own", "our"})
 
 
 def _on_one_level(reading: Reading) -> bool:
@@ -319,7 +349,9 @@ def _numbers_line(reading: Reading, index: int) -> bool:
     return marked and (index == 0 or reading.word(index - 1) == "\n") and reading.word(index + 2) not in ("", "\n")
 
 
-_SIZES = frozenset("area gross rough region vicinity order size surface space net nearest neighbourhood sum".split())
+_SIZES = frozenset(
+    "footprint area gross rough region vicinity order size surface space net nearest neighbourhood sum".split()
+)
 """Words that lead to an area of the building, and say no more than it does."""
 
 

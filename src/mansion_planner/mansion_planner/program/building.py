@@ -163,7 +163,8 @@ def materials_of(
 ) -> tuple[str, str]:
     """Return the floor and the wall material of a room type in a style.
 
-    `wishes` of the brief come before the style; one for all rooms leaves wet rooms alone.
+    `wishes` of the brief come before the style, those for a type of room before those for all, which leave wet rooms
+    alone.
 
     Examples
     --------
@@ -181,7 +182,7 @@ def materials_of(
     elif kind.finish == "concrete":
         wall = "industrial"
     floor_text, wall_text = chosen.floors[kind.finish], chosen.walls[wall]
-    for wish in wishes or []:
+    for wish in sorted(wishes or [], key=lambda wish: bool(wish.room_type)):
         if wish.room_type not in ("", kind.name) or (not wish.room_type and kind.wet):
             continue
         if wish.surface == "floor":

@@ -74,9 +74,10 @@ def _shared_out(
     if not matching or not fact.room:
         storeys = dict.fromkeys(storey.index for storey, _ in matching) if fact.each else ()
         groups = [[entry for entry in matching if entry[0].index == index] for index in storeys]
-        return [
-            (max(group, key=lambda entry: _likelihood(fact, entry)), count) for group in groups or [matching or rooms]
-        ]
+        groups = groups or [matching or rooms]
+        chosen = [max(group, key=lambda entry: _likelihood(fact, entry)) for group in groups]
+        others = [entry for group in groups for entry in group if entry not in chosen] if fact.most else []
+        return [*((entry, count) for entry in chosen), *((entry, 0) for entry in others)]
     if fact.some and fact.some <= len(matching):
         return [(entry, -(-count // fact.some)) for entry in matching[: fact.some]]
     if fact.each or not fact.exact or count < len(matching):
@@ -291,7 +292,7 @@ class _Ledger:
             self.add("style", span, WishValue(name=style))
         for material in facts.materials:
             value = WishValue(name=material.material, type=material.surface)
-            self.add("material", material.span, value, Scope(room_type=material.room_type))
+            self.add("material", material.span, value, Scope(room_type=material.room_type, each=material.throughout))
         for clutter in facts.clutter:
             self.add("clutter", clutter.span, WishValue(name=clutter.clutter), Scope(room_type=clutter.room_type))
         for height in facts.heights:
@@ -376,8 +377,9 @@ class _Ledger:
             other=fact.second_name or fact.second,
             other_type=fact.second,
             door=fact.door,
+            count=fact.sides if fact.sides > 1 else None,
+            unheeded=[*fact.beyond, *self._unread_subject(fact.span)],
         )
-        value = msgspec.structs.replace(value, unheeded=self._unread_subject(fact.span))
         self.add(kind, fact.span, value, Scope(each=fact.each))
 
     def _unread_subject(self, relation: Span) -> list[str]:
@@ -408,6 +410,7 @@ class _Ledger:
             count=None if wanted.excluded else wanted.count,
             unwanted=wanted.excluded,
             exact=wanted.exact and not wanted.excluded,
+            limit="most" if wanted.most and not wanted.excluded else "",
             unheeded=self._unread_place(wanted),
         )
         self.add(kind, wanted.span, value, self._place_of(wanted), reason=_stand_in_for(wanted))
