@@ -4,10 +4,11 @@ from dataclasses import replace
 
 from mansion_planner.brief.asides import TRIALS
 from mansion_planner.brief.building import MADE_INTO
+from mansion_planner.brief.other_places import away_end
 from mansion_planner.brief.phrase import PLAIN, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
-__all__ = ["away_end", "is_elsewhere", "without_bystanders"]
+__all__ = ["is_elsewhere", "without_bystanders"]
 
 _STANDS = frozenset("stand sit lie located situated".split())
 _SITES = frozenset("it building site house plot".split())
@@ -338,38 +339,6 @@ _STATES = frozenset({"emergency", "accident", "fire"})
 _OUTSIDE = frozenset({("outside",), ("outdoors",), ("in", "front"), ("at", "front"), ("out", "front")})
 _OUTDOOR = frozenset({"outdoor", "outside", "surface"})
 """What stands behind and before parking that is no room."""
-
-
-_OTHER_PLACES = frozenset(
-    (
-        *(
-            (over, "the", way)
-            for over, ways in (("across", ("street", "road")), ("over", ("road",)), ("down", ("road", "street")))
-            for way in ways
-        ),
-        *((round_, "the", "corner") for round_ in ("around", "round")),
-        ("next", "door"),
-        ("elsewhere",),
-        ("nearby",),
-        ("off", "site"),
-        ("offsite",),
-        ("in", "town"),
-        ("on", "campus"),
-        *(
-            (at, *which, place)
-            for at in ("in", "at", "on")
-            for which in (("another",), ("a", "different"), ("the", "next"), ("the", "neighbouring"), ("the", "main"))
-            for place in ("building", "town", "village", "city", "site", "campus", "street", "plot", "location")
-        ),
-        *((at, "the", "other", place) for at in ("in", "at", "on") for place in ("town", "site", "campus", "location")),
-    )
-)
-"""Words for where something is that the building therefore does not need."""
-
-
-def away_end(reading: Reading, index: int) -> int:
-    """Return where "across the street", "in the next town" or "at the other site" end that begin at a token; or 0."""
-    return next((index + n for n in (4, 3, 2, 1) if reading.words(index, index + n) in _OTHER_PLACES), 0)
 
 
 def _lies_elsewhere(reading: Reading, phrase: Phrase) -> bool:

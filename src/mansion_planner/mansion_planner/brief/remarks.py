@@ -7,9 +7,9 @@ such remarks whatever stands around them.
 
 from collections.abc import Iterator
 
-from mansion_planner.brief.background_phrases import away_end
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.idle_words import is_idle_word
+from mansion_planner.brief.other_places import away_end
 from mansion_planner.brief.persons import is_person
 from mansion_planner.brief.phrase import FUNCTION_WORDS
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
