@@ -319,7 +319,7 @@ def _rooms_meant(reading: Reading, first: int, noun: int, end: int) -> list[str]
 
 
 def _joint_after(reading: Reading, index: int) -> int:
-    """Return what follows "and" right behind the room at a token: "in the kitchen and the hall"; 0 for no such joint."""
+    """Return what follows "and" behind the room at a token ("in the kitchen and the hall"); 0 where nothing does."""
     for at in range(index, index + 4):
         mention = reading.mention_at.get(at)
         if mention is not None:
