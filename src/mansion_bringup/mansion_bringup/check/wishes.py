@@ -366,7 +366,7 @@ def _adjacent(wish: Wish, finished: FinishedBuilding) -> str:
 
 
 def _is_entered(wish: Wish, finished: FinishedBuilding) -> bool:
-    """Whether a door has a room of either kind of a relation on each side; of each of the first, where each is meant."""
+    """Whether a door has a room of either kind of a relation on each side; for each of the first where it is meant."""
     first = {room.id for _, room in finished.meant(wish.value.name, wish.value.type)}
     second = {room.id for _, room in finished.meant(wish.value.other, wish.value.other_type)}
     sides = [set(door.rooms) for scene in finished.scenes for door in scene.doors]

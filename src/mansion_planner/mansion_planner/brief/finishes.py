@@ -307,7 +307,8 @@ def _rooms_meant(reading: Reading, first: int, noun: int, end: int) -> list[str]
             found.append(room_after(reading, joint))
             at = joint
         if found[0]:
-            return [room for room in found if room]
+            units = [room for room in found if room and reading.knowledge.room(room).unit]
+            return [""] if units else [room for room in found if room]  # a flat is more than the room it is entered by
     at = first
     while reading.word(at - 1) in _HAVING:
         at -= 1
