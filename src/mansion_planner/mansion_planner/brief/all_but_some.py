@@ -69,8 +69,10 @@ def place_some(reading: Reading, places: list[Place], found: AllButSome | None) 
 
 
 def place_all_others(reading: Reading, found: AllButSome | None) -> None:
-    """Put the rooms whose storey is not said where all but some are."""
+    """Put the rooms whose storey is not said where all but some are, and state that the other has the rest alone."""
     if found is None:
         return
     facts = reading.facts
     facts.rooms[:] = [room if room.floors else replace(room, floors=(found.others,)) for room in facts.rooms]
+    if found.some.kind == "upper":
+        facts.only_on.append((found.span, (found.some,)))
