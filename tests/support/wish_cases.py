@@ -41,6 +41,22 @@ def _pair(first: str, second: str) -> WishValue:
     return WishValue(name=first, type=first, other=second, other_type=second)
 
 
+def _between(room: str, others: str) -> WishValue:
+    return msgspec.structs.replace(_pair(room, others), count=2)
+
+
+def _opposite(first: str, second: str) -> WishValue:
+    return msgspec.structs.replace(_pair(first, second), unheeded=["opposite"])
+
+
+def _made_of(material: str, surface: str = "floor", room_type: str = "", *, each: bool = False) -> Wish:
+    return wish("material", WishValue(name=material, type=surface), Scope(room_type=room_type, each=each))
+
+
+def _only(name: str, category: str, count: int) -> Wish:
+    return wish("object", WishValue(name=name, type=category, count=count, exact=True, limit="most"))
+
+
 CASES: list[tuple[str, Wish, WishStatus]] = [
     ("type", wish("building_type", WishValue(name="house", type="house")), "met"),
     ("other type", wish("building_type", WishValue(name="clinic", type="clinic")), "not_met"),
@@ -128,6 +144,13 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("side by side", wish("adjacent", _pair("kitchen", "dining_room")), "met"),
     ("a corner is no wall", wish("adjacent", _pair("bedroom_1", "kitchen")), "not_met"),
     ("each beside one", wish("adjacent", _pair("kitchen", "dining_room"), Scope(each=True)), "met"),
+    (
+        "beside two of them",
+        wish("adjacent", msgspec.structs.replace(_between("pottery_room", "bedroom"), type="study_room")),
+        "met",
+    ),
+    ("beside one of the two", wish("adjacent", _between("hallway", "bedroom")), "partly"),
+    ("opposite", wish("adjacent", _opposite("kitchen", "dining_room")), "partly"),
     ("no such neighbour", wish("adjacent", _pair("kitchen", "gym")), "not_met"),
     ("apart", wish("apart", _pair("hallway", "dining_room")), "met"),
     ("not apart", wish("apart", _pair("kitchen", "dining_room")), "not_met"),
@@ -147,6 +170,14 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("a bed on each storey", _thing("bed", "bed", 1, each=True), "partly"),
     ("no television", wish("no_object", WishValue(name="television", type="television", unwanted=True)), "met"),
     ("no sofa", wish("no_object", WishValue(name="sofa", type="sofa", unwanted=True)), "not_met"),
+    ("only three beds", _only("beds", "bed", 3), "met"),
+    ("only two beds", _only("beds", "bed", 2), "partly"),
+    ("no carpets", wish("no_object", WishValue(name="carpets", type="rug", unwanted=True)), "met"),
+    ("oak everywhere", _made_of("oak", each=True), "met"),
+    ("oak of another colour", _made_of("black oak", room_type="kitchen"), "partly"),
+    ("dark oak", _made_of("dark oak"), "partly"),
+    ("white drywall", _made_of("white drywall", "wall", "kitchen"), "met"),
+    ("a material of no room", _made_of("oak", room_type="gym"), "not_met"),
     ("ceilings", wish("height", WishValue(height=2.8)), "met"),
     ("high ceilings", wish("height", WishValue(height=3.5)), "not_met"),
     ("ceilings of no room", wish("height", WishValue(height=2.8), Scope(room_type="gym")), "not_met"),

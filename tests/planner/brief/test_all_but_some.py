@@ -34,3 +34,8 @@ def test_the_others_are_on_the_ground_floor(words: str) -> None:
 def test_the_building_keeps_its_storeys() -> None:
     facts = read("A house of two floors with three bedrooms. Everything on the ground floor except the bedrooms.")
     assert [quantity.value for quantity in facts.floors] == [2.0]
+
+
+def test_the_upper_storey_has_the_rest_alone() -> None:
+    facts = read("A cottage. Everything on the ground floor except a guest bedroom and a small bathroom upstairs.")
+    assert [[ref.kind for ref in refs] for _, refs in facts.only_on] == [["upper"]]

@@ -34,3 +34,13 @@ def test_people_of_each_room_are_its_seats() -> None:
         ("chair", 22, "classroom", True)
     ]
     assert facts.occupants == []
+
+
+@pytest.mark.parametrize(
+    ("text", "area"),
+    [("A house. The kitchen is big, 25 m2.", 25.0), ("A house. The kitchen can be small, 10 m2 is enough.", 10.0)],
+)
+def test_a_word_of_size_before_an_area_leaves_it_to_the_room(text: str, area: float) -> None:
+    facts = read_brief(text, default_knowledge())
+    assert [(fact.name, fact.area) for fact in facts.rooms] == [("kitchen", area)]
+    assert not facts.unread

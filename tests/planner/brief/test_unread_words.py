@@ -52,3 +52,15 @@ def test_an_area_on_each_of_the_floors_of_rooms_is_that_of_a_storey(brief: str) 
     facts = read(brief)
     assert [quantity.value for quantity in facts.floor_area] == [452.0]
     assert all(room.area is None for room in facts.rooms)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("A bungalow, all doors at least 1 metre wide", "doors at least 1 metre wide"),
+        ("A living room with view to the garden", "view to the garden"),
+        ("A house with two flats. Both flats have the same plan.", "plan"),
+    ],
+)
+def test_words_that_only_small_words_part_are_told_of_together(text: str, words: str) -> None:
+    assert [span.words for span in read_brief(text, default_knowledge()).unread] == [words]

@@ -189,8 +189,12 @@ def _adjacent(wish: Wish, state: JudgedBuilding) -> Verdict:
     sides = max(Counter(first.full_id for first, _ in pairs).values(), default=0)
     if pairs and sides < (wish.value.count or 1):
         return Verdict("partly", f"it lies beside {sides} of {wish.value.count}", ids)
-    if wish.value.door and pairs and not any(state.joined(a, b) for a, b in pairs):
+    joined = {first.full_id for first, second in pairs if state.joined(first, second)}
+    if wish.value.door and pairs and not joined:
         return Verdict("partly", "no door or opening joins them", ids)
+    shut = [first.full_id for first, _ in pairs if first.full_id not in joined]
+    if wish.value.door and wish.scope.each and shut:
+        return Verdict("partly", f"no door or opening joins {listed(shut[:3])} to one", ids)
     same = any(a.floor == b.floor for a in firsts for b in seconds)
     return met_if(bool(pairs), "they share no wall" if same else "they are on different storeys", rooms=ids)
 

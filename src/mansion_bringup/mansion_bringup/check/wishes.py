@@ -366,10 +366,12 @@ def _adjacent(wish: Wish, finished: FinishedBuilding) -> str:
 
 
 def _is_entered(wish: Wish, finished: FinishedBuilding) -> bool:
-    """Whether a door has a room of either kind of a relation on each side."""
+    """Whether a door has a room of either kind of a relation on each side; for each of the first where it is meant."""
     first = {room.id for _, room in finished.meant(wish.value.name, wish.value.type)}
     second = {room.id for _, room in finished.meant(wish.value.other, wish.value.other_type)}
     sides = [set(door.rooms) for scene in finished.scenes for door in scene.doors]
+    if wish.scope.each:
+        return all(any({one, other} in sides for other in second - {one}) for one in first)
     return any(
         len(side) == 2 and any({one, other} == side for one in first & side for other in second & side)
         for side in sides

@@ -78,7 +78,7 @@ def place_some(reading: Reading, places: list[Place], found: AllButSome | None) 
 
 
 def place_all_others(reading: Reading, found: AllButSome | None) -> None:
-    """Put the rooms whose storey is not said where all but some are."""
+    """Put the rooms whose storey is not said where all but some are, and state that the other has the rest alone."""
     if found is None:
         return
     facts, upstairs = reading.facts, found.others.kind == "upper"
@@ -86,3 +86,5 @@ def place_all_others(reading: Reading, found: AllButSome | None) -> None:
     facts.rooms[:] = [
         room if room.floors or room.name in entrances else replace(room, floors=(found.others,)) for room in facts.rooms
     ]
+    if found.some.kind == "upper":
+        facts.only_on.append((found.span, (found.some,)))

@@ -310,7 +310,8 @@ def _rooms_meant(reading: Reading, first: int, noun: int, end: int) -> list[str]
             found.append(room_after(reading, joint))
             at = joint
         if found[0]:
-            return [room for room in found if room]
+            units = [room for room in found if room and reading.knowledge.room(room).unit]
+            return [""] if units else [room for room in found if room]  # a flat is more than the room it is entered by
     at = first
     while reading.word(at - 1) in _HAVING:
         at -= 1
@@ -322,7 +323,7 @@ def _rooms_meant(reading: Reading, first: int, noun: int, end: int) -> list[str]
 
 
 def _joint_after(reading: Reading, index: int) -> int:
-    """Return what follows "and" right behind the room at a token ("in the kitchen and the hall"), or 0."""
+    """Return what follows "and" behind the room at a token ("in the kitchen and the hall"); 0 where nothing does."""
     for at in range(index, index + 4):
         mention = reading.mention_at.get(at)
         if mention is not None:

@@ -325,6 +325,8 @@ _THROUGH = frozenset(
     """.split()
 )
 """Words of relations between rooms of which one is entered from the other."""
+_STRAIGHT = (("direct",), ("directly",), ("straight",))
+"""First words of relations between rooms of which one leads to the other: "the garage directly to the kitchen"."""
 _BEYOND = frozenset({"opposite", "overlooking", "visible", "front"})
 """Words of relations that ask for more than a wall in common."""
 _CLOSE = 8
@@ -366,7 +368,7 @@ def state_relations(
                     identifier(first.name),
                     identifier(second.name),
                     each=pair[0] != pair[1] and (first.count or 2) > 1 and not relation.apart,
-                    door=not relation.apart and not _THROUGH.isdisjoint(words),
+                    door=not relation.apart and (not _THROUGH.isdisjoint(words) or words[:1] in _STRAIGHT),
                     sides=2 if between else 1,
                     beyond=() if relation.apart else tuple(word for word in words if word in _BEYOND),
                 )

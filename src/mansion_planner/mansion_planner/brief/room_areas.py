@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from mansion_planner.brief.area_words import ABOUT, FILLERS, PLOT, TOTALS, Measure, is_of_each, lead_of, words_after
 from mansion_planner.brief.phrase import BARE_BUILDINGS, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.sizes import is_size
 
 __all__ = ["is_building", "joined_alike", "room_of", "said_of_each"]
 
@@ -103,6 +104,11 @@ def _room_after(reading: Reading, measure: Measure, phrases: list[Phrase]) -> in
     return None
 
 
+def _says_size(reading: Reading, index: int) -> bool:
+    """Whether a word only says before an area how large a room is: "the kitchen is big, 25 m2"."""
+    return is_size(reading.word(index)) and reading.word(index - 1) in ("is", "are", "be")
+
+
 def _end_of_what_is_measured(reading: Reading, measure: Measure, phrases: list[Phrase]) -> tuple[int, bool]:
     """Return the token after the words that an area is said of, and whether a comma stands between the two."""
     before, comma = measure.first - 1, False
@@ -116,9 +122,11 @@ def _end_of_what_is_measured(reading: Reading, measure: Measure, phrases: list[P
             or (reading.word(before) in _STOREYS and reading.word(before + 1) == "(")
             or (reading.word(before) == "," and not comma)
             or (reading.word(before) == "." and not reading.breaks(before))
+            or _says_size(reading, before)
+            or (reading.word(before) in ("can", "could", "may") and reading.word(before + 1) == "be")
         )
     ):
-        comma = comma or reading.word(before) == ","
+        comma = (comma or reading.word(before) == ",") and not _says_size(reading, before)
         before -= 1
     before += reading.word(before) == "per" and reading.word(before + 1) in FLOOR_WORDS
     if reading.word(before) in FLOOR_WORDS and reading.word(before - 1) in ("per", "by", "each", "every"):

@@ -259,8 +259,10 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True  # "Flat, no stairs!"
     if token.text == "young" and reading.word(index + 1) in _HOUSEHOLD:
         return True
-    if token.text == "plan" and reading.word(index - 1) in ("same", "that"):
-        return True  # "the two floors have the same plan"
+    if token.text == "plan" and (reading.word(index - 1) == "that" or _has_same_plan(reading, index)):
+        return True
+    if is_size(token.text) and reading.word(index - 1) in ("is", "are", "be") and reading.word(index + 1) == ",":
+        return index + 2 in reading.taken and reading.kind(index + 2) == "number"  # "the kitchen is big, 25 m2"
     if token.text == "plan" and reading.words(index - 2, index) in (("is", "the"), ("that", "the")):
         return True
     if token.text in ("one", "roof") and "under one roof" in " ".join(reading.words(index - 2, index + 2)):
@@ -286,6 +288,11 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True  # "a clinic in a building of 170 m2", "an entire seven-storey building"
     around = reading.word(index + 1) in ("around", "round") and reading.word(index + 2) in ("a", "an", "the", "one")
     return token.text in _LAID and around and bool(_YARDS & set(reading.words(index + 2, index + 6)))
+
+
+def _has_same_plan(reading: Reading, index: int) -> bool:
+    """Whether "plan" at a token is that of storeys that were read to be alike: "the two floors have the same plan"."""
+    return reading.word(index - 1) == "same" and bool(reading.facts.copies)
 
 
 _WHOSE_PLACE = frozenset({"old", "current", "present", "previous", "last", "other", "retirement", "new", "own", "our"})
