@@ -34,3 +34,24 @@ def test_the_others_are_on_the_ground_floor(words: str) -> None:
 def test_the_building_keeps_its_storeys() -> None:
     facts = read("A house of two floors with three bedrooms. Everything on the ground floor except the bedrooms.")
     assert [quantity.value for quantity in facts.floors] == [2.0]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Bedrooms upstairs, all else on the ground floor.",
+        "Bedrooms upstairs, the rest downstairs.",
+        "Only the bedrooms are upstairs, everything else is downstairs.",
+    ],
+)
+def test_what_is_said_of_all_others_leaves_those_placed_before(words: str) -> None:
+    found = storeys(f"A house of two floors with a kitchen, a study and three bedrooms. {words}")
+    assert found["kitchen"] == found["study"] == [("number", 1)]
+    assert [kind for kind, _ in found["bedroom"]] == ["upper"]
+
+
+def test_the_way_in_stays_downstairs_when_all_else_is_upstairs() -> None:
+    found = storeys(
+        "A library of two floors with a lobby, a cafe and a reading room. Cafe downstairs, the rest upstairs."
+    )
+    assert found == {"lobby": [], "cafe": [("number", 1)], "reading_room": [("upper", 0)]}

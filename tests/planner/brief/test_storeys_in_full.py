@@ -1,7 +1,5 @@
 """Storeys that are named in short are read as if they were named in full."""
 
-import pytest
-
 from mansion_knowledge import default_knowledge
 from mansion_planner.brief import read_brief
 from mansion_planner.brief.facts import BriefFacts
