@@ -67,7 +67,7 @@ def test_names_of_several_words_stay_whole() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "Two-family house, side by side, two storeys, each unit 110 m2. Each unit: downstairs kitchen; upstairs 3 bedrooms.",
+        "Two-family house, side by side, two storeys, each unit 110 m2. Each: downstairs kitchen; upstairs 3 bedrooms.",
         "2-family home (mirrored), two storeys. Each unit 110 m2. Each unit: downstairs kitchen; upstairs 3 bedrooms.",
     ],
 )
