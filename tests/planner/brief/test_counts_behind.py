@@ -43,4 +43,4 @@ def test_flats_on_each_floor_are_parted_by_a_colon() -> None:
 @pytest.mark.parametrize("words", ["5 bedrooms of which 1 downstairs", "5 bedrooms, 1 of which downstairs"])
 def test_which_is_of_the_rooms_before(words: str) -> None:
     rooms = read_brief(f"A farmhouse of two floors with {words}.", default_knowledge()).rooms
-    assert [(room.count, bool(room.floors)) for room in rooms] in ([(5, False), (1, True)], [(4, False), (1, True)])
+    assert [(room.count, bool(room.floors)) for room in rooms] == [(4, False), (1, True)]

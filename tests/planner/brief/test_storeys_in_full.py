@@ -57,3 +57,9 @@ def test_all_of_a_list_may_be_placed_behind_it() -> None:
 def test_each_of_several_storeys_may_have_no_noun() -> None:
     rooms = read("Training house with two identical storeys of 80 m2: each has a kitchen and a bedroom.").rooms
     assert [(room.room_type, room.each) for room in rooms] == [("kitchen", True), ("bedroom", True)]
+
+
+def test_what_is_unwanted_on_a_storey_is_not_wanted_there() -> None:
+    facts = read("A house of two floors with three bedrooms. No ground floor bedrooms.")
+    assert [(name, ref.first) for name, ref, _ in facts.excluded_on] == [("bedroom", 1)]
+    assert [room.count for room in facts.rooms] == [3]

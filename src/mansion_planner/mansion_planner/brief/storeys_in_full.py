@@ -21,6 +21,7 @@ def storeys_in_full(tokens: list[Token], floor_words: AbstractSet[str]) -> list[
     "On first" gets its noun, "the upper floor 8" counts before the storey as "8 on the upper floor", and "per floor" at
     the end of a list in brackets stands before the list. A storey that houses rooms is no house.
     """
+    tokens = _unwanted_there(tokens, floor_words)
     tokens = _of_each_floor(_all_on_one(_of_building(tokens, floor_words), floor_words), floor_words)
     tokens = _counts_before(_lists_per_storey(tokens, floor_words), floor_words)
     storeyed = any(token.text in floor_words for token in tokens)
@@ -81,6 +82,26 @@ def _counts_before(tokens: list[Token], floor_words: AbstractSet[str]) -> list[T
     return result
 
 
+def _unwanted_there(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Return tokens with "no second floor offices" as "no offices on the second floor"."""
+    result = list(tokens)
+    for index in range(len(tokens) - 4, -1, -1):
+        storey = index + 2
+        if _text(result, index) not in ("no", "without") or not _is_storey(result, storey, floor_words):
+            continue
+        end = storey + 1
+        while end < len(result) and result[end].kind == "word" and result[end].text not in _JOINTS:
+            end += 1
+        if storey + 1 < end <= storey + 1 + _WORDS and _text(result, end) in _ENDS | {"and", "or"}:
+            at = result[end - 1].end
+            place = [Token("word", "on", at, at), Token("word", "the", at, at), *result[index + 1 : storey + 1]]
+            result[index + 1 : end] = [*result[storey + 1 : end], *place]
+    return result
+
+
+_JOINTS = frozenset({"and", "or", "please", "with", "for", "in", "on", "is", "are"})
+_WORDS = 3
+"""Words of a room's name, at most."""
 _CLAUSES = frozenset({".", ";", ":", "\n", "!", "?"})
 
 
