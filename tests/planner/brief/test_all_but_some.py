@@ -39,3 +39,24 @@ def test_the_building_keeps_its_storeys() -> None:
 def test_the_upper_storey_has_the_rest_alone() -> None:
     facts = read("A cottage. Everything on the ground floor except a guest bedroom and a small bathroom upstairs.")
     assert [[ref.kind for ref in refs] for _, refs in facts.only_on] == [["upper"]]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Bedrooms upstairs, all else on the ground floor.",
+        "Bedrooms upstairs, the rest downstairs.",
+        "Only the bedrooms are upstairs, everything else is downstairs.",
+    ],
+)
+def test_what_is_said_of_all_others_leaves_those_placed_before(words: str) -> None:
+    found = storeys(f"A house of two floors with a kitchen, a study and three bedrooms. {words}")
+    assert found["kitchen"] == found["study"] == [("number", 1)]
+    assert [kind for kind, _ in found["bedroom"]] == ["upper"]
+
+
+def test_the_way_in_stays_downstairs_when_all_else_is_upstairs() -> None:
+    found = storeys(
+        "A library of two floors with a lobby, a cafe and a reading room. Cafe downstairs, the rest upstairs."
+    )
+    assert found == {"lobby": [], "cafe": [("number", 1)], "reading_room": [("upper", 0)]}

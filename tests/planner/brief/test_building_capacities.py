@@ -41,3 +41,10 @@ def test_each_group_has_its_room(words: str, house: str) -> None:
 def test_the_room_of_each_group_has_its_area() -> None:
     facts = read("A kindergarten for 4 groups. Each group has a room of 55 m2.")
     assert [(fact.count, fact.area) for fact in facts.rooms] == [(4, 55.0)]
+
+
+def test_a_group_spends_its_day_in_its_playroom() -> None:
+    facts = read("A nursery with three groups. Each group has a playroom of 45 m2, a nap room and its own washroom.")
+    (group,) = facts.rooms
+    assert (group.name, group.count, group.area) == ("playroom", 3, 45.0)
+    assert [room.name for room in group.suite] == ["nap_room", "washroom"]

@@ -28,3 +28,8 @@ def test_what_each_part_holds_is_its_own() -> None:
 def test_areas_behind_a_number_are_shared_out() -> None:
     facts = read_brief("A factory with two offices, one of 12 and one of 20 m2.", default_knowledge())
     assert sorted(room.area or 0.0 for room in facts.rooms) == [12.0, 20.0]
+
+
+def test_more_rooms_for_others_are_of_the_same_kind() -> None:
+    rooms = read_brief("A house. One bedroom for us, three for the kids.", default_knowledge()).rooms
+    assert [(room.room_type, room.count) for room in rooms] == [("bedroom", 1), ("bedroom", 3)]

@@ -38,3 +38,9 @@ def test_one_beside_each_of_several() -> None:
 def test_flats_on_each_floor_are_parted_by_a_colon() -> None:
     facts = read("Flats, 5 floors, 4 flats on every floor: two 2-bedroom flats and two studios.")
     assert [fact.count for fact in facts.rooms if fact.unit or "studio" in fact.name] == [2, 2]
+
+
+@pytest.mark.parametrize("words", ["5 bedrooms of which 1 downstairs", "5 bedrooms, 1 of which downstairs"])
+def test_which_is_of_the_rooms_before(words: str) -> None:
+    rooms = read_brief(f"A farmhouse of two floors with {words}.", default_knowledge()).rooms
+    assert [(room.count, bool(room.floors)) for room in rooms] == [(4, False), (1, True)]

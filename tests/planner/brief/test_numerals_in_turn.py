@@ -33,3 +33,14 @@ def test_numerals_that_are_not_one_for_each_flat_are_left() -> None:
 def test_a_studio_among_flats_is_told_by_its_own_name(parts: str) -> None:
     facts = read_brief(f"Four storeys. 2nd and 3rd floors: two apartments each, {parts}.", default_knowledge())
     assert {room.room_type: room.count for room in facts.rooms} == {"apartment": 1, "studio_apartment": 1}
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "ground floor flats 2 bedrooms each, top floor flats 3 bedrooms each.",
+        "ground floor flats have two bedrooms, and top floor flats have three bedrooms.",
+    ],
+)
+def test_the_flats_of_each_storey_have_their_own_number(words: str) -> None:
+    assert bedrooms(f"A villa with two flats per floor on two floors, {words}") == [(2, 2), (2, 3)]

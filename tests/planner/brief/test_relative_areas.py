@@ -33,3 +33,9 @@ def test_a_share_of_the_area_said_last_is_an_area(brief: str, room: str, area: f
 def test_a_share_of_no_area_or_of_something_else_is_none(brief: str) -> None:
     areas = {fact.name: fact.area for fact in read_brief(brief, default_knowledge()).rooms}
     assert areas["showroom"] is None
+
+
+def test_a_multiple_of_a_room_is_that_of_its_area() -> None:
+    text = "A gallery with 5 exhibition rooms of 90 m2 and a sculpture room twice as large as an exhibition room."
+    rooms = read_brief(text, default_knowledge()).rooms
+    assert [(room.count, room.area) for room in rooms] == [(5, 90.0), (1, 180.0)]

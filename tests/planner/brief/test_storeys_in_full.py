@@ -45,3 +45,21 @@ def test_a_storey_that_houses_rooms_is_no_house() -> None:
 def test_every_tenant_floor_is_an_upper_one() -> None:
     found = storeys("Office tower of six storeys for five tenants. Every tenant floor has two meeting rooms.")
     assert found["meeting_room"] == [("upper", 0)]
+
+
+def test_all_of_a_list_may_be_placed_behind_it() -> None:
+    found = storeys("Workshop: two storeys, a paint shop, a store and a wc, all downstairs; boss's office up.")
+    assert {kind: refs[0] for kind, refs in found.items() if refs}.get("toilet") == ("number", 1)
+    assert found["storage"] == [("number", 1)]
+    assert found["private_office"][0][0] == "upper"
+
+
+def test_each_of_several_storeys_may_have_no_noun() -> None:
+    rooms = read("Training house with two identical storeys of 80 m2: each has a kitchen and a bedroom.").rooms
+    assert [(room.room_type, room.each) for room in rooms] == [("kitchen", True), ("bedroom", True)]
+
+
+def test_what_is_unwanted_on_a_storey_is_not_wanted_there() -> None:
+    facts = read("A house of two floors with three bedrooms. No ground floor bedrooms.")
+    assert [(name, ref.first) for name, ref, _ in facts.excluded_on] == [("bedroom", 1)]
+    assert [room.count for room in facts.rooms] == [3]

@@ -62,3 +62,15 @@ def test_names_of_several_words_stay_whole() -> None:
         "Two semi-detached houses, each with two floors, kitchen and living room downstairs, two bedrooms upstairs."
     )
     assert [fact.label for fact in facts.rooms] == ["kitchen", "living room", "bedrooms"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Two-family house, side by side, two storeys, each unit 110 m2. Each: downstairs kitchen; upstairs 3 bedrooms.",
+        "2-family home (mirrored), two storeys. Each unit 110 m2. Each unit: downstairs kitchen; upstairs 3 bedrooms.",
+    ],
+)
+def test_a_house_for_two_families_side_by_side_has_the_rooms_of_both(text: str) -> None:
+    assert counts(text) == {"kitchen": 2, "bedroom": 6}
+    assert [quantity.value for quantity in read(text).area] == [220.0]

@@ -86,5 +86,5 @@ def place_all_others(reading: Reading, found: AllButSome | None) -> None:
     facts.rooms[:] = [
         room if room.floors or room.name in entrances else replace(room, floors=(found.others,)) for room in facts.rooms
     ]
-    if found.some.kind == "upper":
+    if found.some is not None and found.some.kind == "upper":
         facts.only_on.append((found.span, (found.some,)))

@@ -24,7 +24,7 @@ _NOUNS = 3
 
 def counted_parts(tokens: list[Token]) -> list[Token]:
     """Return the tokens with the noun behind each number of such a list, and rooms of teams counted."""
-    tokens = _rooms_of_teams(tokens)
+    tokens = _for_others(_rooms_of_teams(tokens))
     result: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -36,6 +36,29 @@ def counted_parts(tokens: list[Token]) -> list[Token]:
         result += found[0]
         index = found[1]
     return result
+
+
+def _for_others(tokens: list[Token]) -> list[Token]:
+    """Return tokens with "one bedroom for us, three for the kids" as three bedrooms for the kids."""
+    result: list[Token] = []
+    noun: list[Token] = []
+    for index, token in enumerate(tokens):
+        result.append(token)
+        noun = [] if token.text in _ENDS - {")"} else noun
+        person = _text(tokens, index + 1) == "for" and _text(tokens, index + 2) in _WHOM
+        if not person:
+            continue
+        if token.kind == "number" and noun and _text(tokens, index - 1) in (",", "and", ";"):
+            several = token.value != 1
+            result += [replace(word, start=token.end, end=token.end, plural=several) for word in noun]
+        elif token.kind == "word" and index and tokens[index - 1].kind == "number":
+            noun = [token]
+    return result
+
+
+_WHOM = frozenset(
+    {"the", "us", "our", "my", "me", "guests", "guest", "visitors", "kids", "children", "staff", "parents"}
+)
 
 
 def _text(tokens: list[Token], index: int) -> str:

@@ -177,6 +177,7 @@ def read_counts_by_storey(
     starts = {place.first: place for place in places}
     shared: set[int] = set()
     parts: list[tuple[int, Phrase]] = []
+    among: set[int] = set()
     for index, token in enumerate(reading.tokens):
         if token.kind != "number" or index in reading.taken or not is_whole_count(token.value):
             continue
@@ -195,9 +196,11 @@ def read_counts_by_storey(
             shared.add(total.first)
             _state_storeys(reading, total, many, reading.span(index, starts[last].last))
             continue
+        if reading.words(index - 2, index) == _OF_WHICH or reading.words(last - 2, last) in _OF_THEM:
+            among.add(number)
         part = replace(total, first=index, begin=index, noun_end=index + 1, last=last)
         parts.append((number, replace(part, count=many, counted=True, determiner="")))
-    _leave_out_what_is_shared_out(phrases, parts)
+    _leave_out_what_is_shared_out(phrases, parts, among)
     phrases[:] = sorted([*phrases, *(p for _, p in parts)], key=lambda p: p.first)
     return shared
 
@@ -205,7 +208,7 @@ def read_counts_by_storey(
 def _end_of_count(reading: Reading, index: int) -> int:
     """Return the token after a number and "of them" or "more"."""
     last = index + 1
-    if reading.words(last, last + 2) in (("of", "them"), ("of", "these"), ("of", "those"), ("of", "which")):
+    if reading.words(last, last + 2) in _OF_THEM:
         last += 2
     return last + (reading.word(last) in ("more", "other", "others", "further"))
 
@@ -235,17 +238,26 @@ def _state_storeys(reading: Reading, total: Phrase, many: int, span: Span) -> No
         reading.facts.floors.append(Quantity(float(total.count // many), span))
 
 
-def _leave_out_what_is_shared_out(phrases: list[Phrase], parts: Sequence[tuple[int, Phrase]]) -> None:
-    """Leave out the phrases whose rooms the numbers after them (`parts`, by the phrase's number) count again."""
+def _leave_out_what_is_shared_out(
+    phrases: list[Phrase], parts: Sequence[tuple[int, Phrase]], among: Collection[int]
+) -> None:
+    """Leave out the phrases whose rooms the numbers after them (`parts`, by the phrase's number) count again.
+
+    Of those in `among` the numbers count some: "five bedrooms, one of them downstairs" leave four elsewhere.
+    """
     for number in {n for n, _ in parts}:
         total = phrases[number]
         counts = [p.count or 0 for n, p in parts if n == number]
         whole = total.counted and sum(counts) >= (total.count or 0) and len(counts) > 1
+        left = (total.count or 0) - sum(counts)
         if whole or (not total.counted and total.plural):
             phrases[number] = replace(total, head="unknown")
+        elif number in among and total.counted and total.room_type and left > 0:
+            phrases[number] = replace(total, count=left)
 
 
 _OF_WHICH = ("of", "which")
+_OF_THEM = (("of", "them"), ("of", "these"), ("of", "those"), _OF_WHICH)
 
 _LEFT_OVER = frozenset({"remaining", "other", "last", "further"})
 """Words before the number of the rooms that are left: "and the remaining three on level 4"."""

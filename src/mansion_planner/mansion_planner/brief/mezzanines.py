@@ -25,6 +25,9 @@ def mezzanines(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token
     index = 0
     while index < len(tokens):
         token = tokens[index]
+        if _tells_use(tokens, index):
+            index += 1
+            continue
         if token.text not in _NAMES or not _DENIALS.isdisjoint(t.text for t in tokens[max(index - 3, 0) : index]):
             result.append(token)
             index += 1
@@ -40,6 +43,13 @@ def mezzanines(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token
             result.append(level)
         index = end
     return result
+
+
+def _tells_use(tokens: list[Token], index: int) -> bool:
+    """Whether a word only says what a mezzanine is for: "an office mezzanine with three offices"."""
+    within = tokens[index].kind == "word" and tokens[index].text not in _LEADS | _ARTICLES | _DENIALS
+    listed = _text(tokens, index + 2) in ("with", ":", "holding", "containing")
+    return within and _text(tokens, index + 1) in _NAMES and listed and _text(tokens, index - 1) in _ARTICLES
 
 
 def _text(tokens: list[Token], index: int) -> str:

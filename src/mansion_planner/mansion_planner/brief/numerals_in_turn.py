@@ -1,5 +1,9 @@
-"""Give each of several flats the numeral that is told for it: "the three flats have 1, 2 and 3 bedrooms"."""
+"""Give each of several flats the numeral that is told for it: "the three flats have 1, 2 and 3 bedrooms".
 
+So do the flats of each storey: "two flats per floor, ground floor flats 2 bedrooms each, top floor flats 3".
+"""
+
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 
 from mansion_language import Token
@@ -15,13 +19,13 @@ _REACH = 12
 """Tokens between the flats and their numerals, at most: "the three flats on each floor have ..."."""
 
 
-def numerals_in_turn(tokens: list[Token]) -> list[Token]:
+def numerals_in_turn(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
     """Return the tokens with a numeral for each of several flats as what one flat has, and then the next.
 
     "Two apartments each, one with two bedrooms and one studio" are one two-bedroom apartment and one studio.
     """
-    result = list(tokens)
-    for index in range(len(tokens) - 4, -1, -1):
+    result = _flats_of_storeys(list(tokens), floor_words)
+    for index in range(len(result) - 4, -1, -1):
         number, noun = result[index], result[index + 1]
         several = number.kind == "number" and 1 < number.value <= _REACH and noun.plural
         if several and noun.text in _FLATS:
@@ -35,6 +39,56 @@ def _text(tokens: list[Token], index: int) -> str:
 
 def _is_count(tokens: list[Token], index: int) -> bool:
     return index < len(tokens) and tokens[index].kind == "number" and 0 < tokens[index].value <= _REACH
+
+
+def _flats_of_storeys(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Return the tokens with the flats of each storey told by that storey, and no longer for all of them together."""
+    whole = next((at for at in range(len(tokens) - 4) if _is_per_floor(tokens, at, floor_words)), -1)
+    own = [at for at in range(whole + 4, len(tokens) - 2) if _told_of_storey(tokens, at, floor_words)]
+    if whole < 0 or len(own) < _STOREYS:
+        return tokens
+    result = [*tokens[:whole]]
+    index = whole + 4
+    while index < len(tokens):
+        if index not in own:
+            result.append(tokens[index])
+            index += 1
+            continue
+        numeral = _numeral_of(tokens, index)
+        at = tokens[index].start
+        while result and result[-1].text in (",", "and", "the"):
+            result.pop()
+        flat = replace(tokens[index + 2], start=tokens[numeral].end, end=tokens[numeral].end)
+        sized = replace(tokens[numeral + 1], text="bedroom", plural=False, spaced=False)
+        marks = [Token("mark", ";", at, at), Token("mark", ":", tokens[index + 1].end, tokens[index + 1].end)]
+        count = replace(tokens[whole], start=tokens[numeral].start, end=tokens[numeral].start)
+        result += [marks[0], *tokens[index : index + 2], marks[1], count, tokens[numeral], sized, flat]
+        index = numeral + 2 + (_text(tokens, numeral + 2) in ("each", "apiece"))
+    return result
+
+
+_STOREYS = 2
+"""Storeys whose flats are told apart, at least."""
+_NAMED = frozenset({"ground", "top", "upper", "lower", "middle", "first"})
+
+
+def _is_per_floor(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> bool:
+    """Whether "two flats per floor" stands at a token."""
+    flats = _is_count(tokens, index) and tokens[index + 1].plural and _text(tokens, index + 1) in _FLATS
+    return flats and _text(tokens, index + 2) in ("per", "a", "each") and _text(tokens, index + 3) in floor_words
+
+
+def _told_of_storey(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> bool:
+    """Whether "ground floor flats 2 bedrooms" stands at a token."""
+    storey = _text(tokens, index) in _NAMED or tokens[index].kind == "ordinal"
+    flats = storey and _text(tokens, index + 1) in floor_words and _text(tokens, index + 2) in _FLATS
+    numeral = _numeral_of(tokens, index) if flats else 0
+    return flats and _is_count(tokens, numeral) and _text(tokens, numeral + 1) in _BEDROOMS
+
+
+def _numeral_of(tokens: list[Token], index: int) -> int:
+    """Return where the number of bedrooms of a storey's flats is told."""
+    return index + 3 + (_text(tokens, index + 3) in _VERBS | {":"})
 
 
 def _with_numerals(tokens: list[Token], index: int) -> list[Token] | None:

@@ -293,7 +293,7 @@ class _Reader:
             rooms_before = any(p.begin < opening[2] for p in phrases if p.head == "room")
             known = number is not None and reading.sentence[phrases[number].first] <= reading.sentence[opening[2]]
             wanted = number is not None and (
-                is_asked_for(reading, phrases[number].first) or reading.starts(phrases[number].first)
+                is_asked_for(reading, phrases[number].first) or self._opens_as_building(phrases[number])
             )
             asked = wanted and is_the_writer(reading, opening[2])
             if known or asked or rooms_before or not (number is None or opening[1]):
@@ -325,6 +325,10 @@ class _Reader:
             self.facts.building[-1] = (name, self.reading.span(phrase.begin, phrase.noun_end))
             return None  # "two flats side by side" are a building and its rooms
         return number
+
+    def _opens_as_building(self, phrase: Phrase) -> bool:
+        """Whether a sentence begins with what is asked for: "Our lab tests robots. Office building, three floors"."""
+        return self.reading.word(phrase.noun_end - 1) in BARE_BUILDINGS and self.reading.starts(phrase.first)
 
     def _without_the_writer(self, phrases: list[Phrase], number: int) -> int:
         """Leave out who asks for the building: "We are a bank. We need an office"; return its number then."""

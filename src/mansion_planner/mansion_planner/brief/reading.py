@@ -242,10 +242,10 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
         paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS))))
     )
     tokens = storey_tables(abbreviated_storeys(text, decades(equal_rooms(tokens, FLOOR_WORDS))), FLOOR_WORDS)
-    tokens = counted_parts(numerals_in_turn(rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS))))
-    tokens = unit_totals(
-        storeys_in_order(excepted_storeys(storeys_in_full(tokens, FLOOR_WORDS), FLOOR_WORDS), FLOOR_WORDS), FLOOR_WORDS
-    )
+    tokens = rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS))
+    tokens = counted_parts(numerals_in_turn(tokens, FLOOR_WORDS))
+    tokens = excepted_storeys(storeys_in_full(tokens, FLOOR_WORDS), FLOOR_WORDS)
+    tokens = unit_totals(storeys_in_order(tokens, FLOOR_WORDS), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(mezzanines(storey_forms(text, tokens), FLOOR_WORDS), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(

@@ -50,7 +50,22 @@ def _share_end(tokens: list[Token], index: int) -> int:
     if rest[0] != "as" or rest[1] not in _MEASURED:
         return index
     again = rest[2] == "as" and rest[3] in _THAT | {"it"}
+    if rest[2] == "as" and rest[3] in _ARTICLES:
+        return _noun_end(tokens, index + 5)
     return index + 3 + 2 * again if again or rest[2] in _CLOSERS else index
+
+
+def _noun_end(tokens: list[Token], index: int) -> int:
+    """Return where the noun ends whose size something is a multiple of: "as an exhibition room"."""
+    end = index
+    while end < len(tokens) and tokens[end].kind == "word" and tokens[end].text not in _CLOSERS:
+        end += 1
+    return min(end, index + _WORDS)
+
+
+_ARTICLES = frozenset({"a", "an", "the", "one"})
+_WORDS = 3
+"""Words of such a noun, at most."""
 
 
 def _area_before(tokens: list[Token]) -> tuple[Token, Token] | None:

@@ -176,14 +176,20 @@ def _is_up_with(tokens: list[Token], index: int) -> bool:
 
 
 def _storey_of_some(tokens: list[Token], index: int) -> Token:
-    """Return a token, "down" and "up" after a number as "downstairs" and "upstairs": "four down, five up"."""
+    """Return a token, "down" and "up" after a number or a room as "downstairs" and "upstairs": "four down, wc up"."""
     where = _UP_AND_DOWN.get(tokens[index].text)
     counted = where and index > 1 and tokens[index - 1].kind == "number" and tokens[index - 2].text not in _ENDS
+    counted = counted or (where and _word(tokens, index - 1) in _NOUNS_OF_ROOMS)
     return (
         replace(tokens[index], text=where)
         if where and counted and _word(tokens, index + 1) in _AFTER
         else tokens[index]
     )
+
+
+_NOUNS_OF_ROOMS = frozenset(
+    "room office bedroom bathroom bath kitchen wc toilet loo lounge living study garage hall bed diner shop".split()
+)
 
 
 def _word(tokens: list[Token], index: int) -> str:

@@ -21,7 +21,8 @@ def storeys_in_full(tokens: list[Token], floor_words: AbstractSet[str]) -> list[
     "On first" gets its noun, "the upper floor 8" counts before the storey as "8 on the upper floor", and "per floor" at
     the end of a list in brackets stands before the list. A storey that houses rooms is no house.
     """
-    tokens = _of_building(tokens, floor_words)
+    tokens = _unwanted_there(tokens, floor_words)
+    tokens = _of_each_floor(_all_on_one(_of_building(tokens, floor_words), floor_words), floor_words)
     tokens = _counts_before(_lists_per_storey(tokens, floor_words), floor_words)
     storeyed = any(token.text in floor_words for token in tokens)
     result: list[Token] = []
@@ -79,6 +80,73 @@ def _counts_before(tokens: list[Token], floor_words: AbstractSet[str]) -> list[T
         on = Token("word", "on", token.end, token.end)
         result[first:] = [token, on, *storey]
     return result
+
+
+def _unwanted_there(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Return tokens with "no second floor offices" as "no offices on the second floor"."""
+    result = list(tokens)
+    for index in range(len(tokens) - 4, -1, -1):
+        storey = index + 2
+        if _text(result, index) not in ("no", "without") or not _is_storey(result, storey, floor_words):
+            continue
+        end = storey + 1
+        while end < len(result) and result[end].kind == "word" and result[end].text not in _JOINTS:
+            end += 1
+        if storey + 1 < end <= storey + 1 + _WORDS and _text(result, end) in _ENDS | {"and", "or"}:
+            at = result[end - 1].end
+            place = [Token("word", "on", at, at), Token("word", "the", at, at), *result[index + 1 : storey + 1]]
+            result[index + 1 : end] = [*result[storey + 1 : end], *place]
+    return result
+
+
+_JOINTS = frozenset({"and", "or", "please", "with", "for", "in", "on", "is", "are"})
+_WORDS = 3
+"""Words of a room's name, at most."""
+_CLAUSES = frozenset({".", ";", ":", "\n", "!", "?"})
+
+
+def _all_on_one(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Return tokens with "a hall, a store and a bar, all downstairs" as "downstairs: a hall, a store and a bar"."""
+    for index in range(2, len(tokens) - 1):
+        if _text(tokens, index) != "all" or _text(tokens, index - 1) != ",":
+            continue
+        at = index + 1
+        end = at + 1 if _text(tokens, at) in ("downstairs", "downstair", "upstairs", "upstair") else 0
+        if _text(tokens, at) == "on":
+            noun = at + 2 + (_text(tokens, at + 1) == "the")
+            end = noun + 1 if _is_storey(tokens, noun, floor_words) else 0
+        if not end or _text(tokens, end) not in _CLAUSES | {""}:
+            continue
+        first = index - 1
+        while first > 0 and tokens[first - 1].text not in _CLAUSES:
+            first -= 1
+        told = range(first, index - 1)  # "two storeys, a hall, a store, all downstairs"
+        first = next((k + 2 for k in told if tokens[k].text in floor_words and _text(tokens, k + 1) == ","), first)
+        colon = Token("mark", ":", tokens[at].start, tokens[at].start)
+        moved = [*tokens[:first], *tokens[at:end], colon, *tokens[first : index - 1]]
+        return [*moved, *_all_on_one(tokens[end:], floor_words)]
+    return tokens
+
+
+def _of_each_floor(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Return tokens with "two storeys of 80 m2: each has a kitchen" as "each floor has a kitchen"."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        result.append(token)
+        holds = token.text == "each" and _text(tokens, index + 1) in ("has", "have", "with", "contain", "hold", ":")
+        if not holds or _text(tokens, index - 1) not in (":", ",", ".", ";", "-", "("):
+            continue
+        near = range(max(index - _SIZED, 1), index)
+        storeys = max((at for at in near if tokens[at].text in floor_words and tokens[at].plural), default=0)
+        between = {tokens[at].text for at in range(storeys + 1, index) if tokens[at].kind == "word"}
+        if storeys and between <= _OF_SIZE:
+            result.append(Token("word", "floor", token.end, token.end))
+    return result
+
+
+_SIZED = 8
+"""Tokens between storeys and what each of them has, at most."""
+_OF_SIZE = frozenset({"of", "with", "about", "around", "approx", "each", "at", "the", "same", "identical", "gross"})
 
 
 def _speaks_of_upper_storeys(tokens: list[Token], index: int) -> bool:

@@ -260,7 +260,7 @@ _FOR_MEALS = frozenset({"cafeteria", "cafe", "restaurant"})
 _RECEIVING = frozenset({"reception", "ticket_office", "service_counter", "check_in_hall"})
 """Rooms with a desk where visitors are received, of which the same holds."""
 
-_REFUSED_TOGETHER = (_FOR_MEALS,)
+_REFUSED_TOGETHER = (_FOR_MEALS, frozenset({"toilet", "restroom"}))
 """Room types of which a brief that refuses one by name wants none of the others."""
 
 _LEAVES_OUT = {
