@@ -20,6 +20,7 @@ from mansion_planner.program.program_size import ProgramSize, size_of_program
 from mansion_planner.program.room_parts import with_room_parts
 from mansion_planner.program.shape_sizes import most_storeys
 from mansion_planner.program.told_people import people_of
+from mansion_planner.program.told_programs import counted_rooms
 from mansion_planner.program.usual_meanings import as_meant_in, with_main_room
 
 __all__ = ["AREA_CAP", "Decisions", "MOST_FLOORS", "conflict", "decide", "note", "quoted"]
@@ -256,6 +257,9 @@ def _infer_floors(
     holding, why = _storeys_to_divide_over(facts, building)
     if sized is None and count > holding:
         count, reason = holding, why
+    repeated = counted_rooms(facts, building)
+    if sized is None and 2 <= needed < count and repeated and all(room.floors for room in repeated):
+        count, reason = needed, "the rooms that are counted have their storeys"
     if facts.uses and needed:
         tops = [ref.first for use in facts.uses for ref in use.floors if ref.kind == "top"]
         count, needed = needed + max(tops, default=0), needed + max(tops, default=0)
