@@ -148,6 +148,11 @@ def test_other_briefs_keep_the_usual_size(brief: str, kind: str) -> None:
     assert storeys_of_size(brief, kind) is None
 
 
+def test_rooms_that_are_counted_on_a_storey_have_none_above_them() -> None:
+    brief = "An inn with a taproom and a kitchen on the ground floor and six guest rooms on the floor above."
+    assert len(plan_building(BuildRequest(description=brief, seed=5)).program.floors) == 2
+
+
 def test_a_storey_is_as_large_as_its_share() -> None:
     few, many = (
         size_of_program(read_brief(f"A hotel with {n} rooms.", KNOWLEDGE), KNOWLEDGE.buildings["hotel"], KNOWLEDGE)

@@ -33,7 +33,7 @@ WIDTH = 1440
 PAPER = (0.965, 0.968, 0.974)
 
 MOST_COLUMNS = 6
-TALLEST: Final = 0.56
+TALLEST: Final = 0.6
 """Height of all floors' pictures together at most, as a share of the width."""
 
 FROM_ABOVE = View(azimuth=-76.0, elevation=57.0)
@@ -130,8 +130,12 @@ def _layout(floors: Sequence[Triangles], width: int, top: int) -> _Sheet:
         sheet = _Sheet(columns, top, cell, foot)
         if columns >= len(floors) or sheet.height(len(floors)) - top <= TALLEST * width:
             break
-    rows = -(-len(floors) // columns)
-    most = max(round(TALLEST * width / max(rows, 1)) - foot, cell_width // 3)
+    # As many rows with as few columns: four floors lie two by two.
+    rows = max(-(-len(floors) // columns), 1)
+    columns = max(-(-len(floors) // rows), 1)
+    cell_width = width // columns
+    cell = (cell_width, round(cell_width * tall / across))
+    most = max(round(TALLEST * width / rows) - foot, cell_width // 3)
     return _Sheet(columns, top, (cell_width, min(cell[1], most)), foot)
 
 

@@ -65,8 +65,8 @@ class StreetView:
         self._ends = np.array(
             [(x, y, z) for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])]
         )
-        ground = [turned(flatten(model, _is_ground).corners, turns) for model in models]
-        whole = bounds(np.concatenate([*ground, self._ends[:, None].repeat(3, axis=1)]))
+        ground = np.concatenate([turned(flatten(model, _is_ground).corners, turns) for model in models])
+        whole = bounds(ground) if len(ground) else np.stack([low, high])
         self._plot = box(*whole[0, :2], *whole[1, :2])
 
     def height(self, width: int) -> int:

@@ -13,7 +13,14 @@ from mansion_msgs_py.program import Clutter, Downgrade, RequestedObject, TraceEn
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
-from mansion_planner.program.building_size import ProgramSize, called_size, people_of, size_of_program, within_called
+from mansion_planner.program.building_size import (
+    ProgramSize,
+    called_size,
+    counted_rooms,
+    people_of,
+    size_of_program,
+    within_called,
+)
 from mansion_planner.program.footprint import check_footprint, is_rectangle
 from mansion_planner.program.lone_rooms import as_lone_room, lone_outline, lone_room
 from mansion_planner.program.room_parts import with_master_suite, with_room_parts
@@ -269,6 +276,9 @@ def _infer_floors(
     holding, why = _storeys_to_divide_over(facts, building)
     if sized is None and count > holding:
         count, reason = holding, why
+    repeated = counted_rooms(facts, building)
+    if sized is None and 2 <= needed < count and repeated and all(room.floors for room in repeated):
+        count, reason = needed, "the rooms that are counted have their storeys"
     if facts.uses and needed:
         tops = [ref.first for use in facts.uses for ref in use.floors if ref.kind == "top"]
         count, needed = needed + max(tops, default=0), needed + max(tops, default=0)
