@@ -18,6 +18,7 @@ from mansion_bringup.pipeline import build as steps
 from mansion_bringup.pipeline.stages import LocalStages
 from mansion_knowledge.base import default_knowledge
 from mansion_knowledge.essentials import needs_of, pieces_there
+from mansion_knowledge.furnished_as import furnished_as
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.scene import FloorScene
@@ -44,6 +45,8 @@ class Lack:
     need: str
     have: int
     wanted: int
+    told: bool
+    """Whether the scene says that it was left out."""
 
 
 def lacking(scene: FloorScene) -> tuple[int, list[Lack]]:
@@ -53,12 +56,15 @@ def lacking(scene: FloorScene) -> tuple[int, list[Lack]]:
         objects[thing.room].append((thing.category, thing.size[0]))
     rooms, lacks = 0, list[Lack]()
     for room in scene.rooms:
-        needs = needs_of(room.room_type, (room.name, *room.aliases))
+        beside = [other.room_type for other in scene.rooms if other.id != room.id]
+        kind = furnished_as(room.room_type, scene.building_type, room.name, beside)
+        needs = needs_of(kind, (room.name, *room.aliases))
         rooms += bool(needs)
         for need in needs:
             have = pieces_there(need, objects[room.id])
             if have < need.count:
-                lacks.append(Lack(room.id, room.room_type, room.area, need.name, have, need.count))
+                told = any((lost.room, lost.name) == (room.id, need.name) for lost in scene.discarded)
+                lacks.append(Lack(room.id, room.room_type, room.area, need.name, have, need.count, told))
     return rooms, lacks
 
 
@@ -88,7 +94,7 @@ def main() -> None:
     if options.briefs:
         chosen = {entry["brief"][:21]: entry["brief"] for entry in json.loads(options.briefs.read_text())}
     print(f"{'building':22}{'seed':>5}{'rooms':>7}{'lacking':>9}{'CPU s':>8}")
-    total, usable, causes = 0, 0, Counter[tuple[str, str]]()
+    total, usable, untold, causes = 0, 0, 0, Counter[tuple[str, str]]()
     for name, sentence in chosen.items():
         for seed in options.seeds:
             started, rooms, lacks = time.process_time(), 0, list[Lack]()
@@ -101,14 +107,15 @@ def main() -> None:
                 continue
             bare = len({lack.room for lack in lacks})
             total, usable = total + rooms, usable + rooms - bare
+            untold += sum(not lack.told for lack in lacks)
             causes.update((lack.room_type, lack.need) for lack in lacks)
             print(f"{name:22}{seed:>5}{rooms:>7}{bare:>9}{time.process_time() - started:>8.1f}", flush=True)
             for lack in lacks if options.rooms else ():
-                what = f"{lack.have} of {lack.wanted} {lack.need}"
+                what = f"{lack.have} of {lack.wanted} {lack.need}" + ("" if lack.told else ", not told")
                 print(f"    {lack.room} ({lack.room_type}, {lack.area:.1f} m2): {what}")
     for (room_type, need), count in causes.most_common():
         print(f"{count:>5}  {room_type}: {need}")
-    print(f"{usable} of {total} rooms have all essentials: {usable / max(total, 1):.2%}")
+    print(f"{usable} of {total} rooms have all essentials: {usable / max(total, 1):.2%}; {untold} lacks not told")
 
 
 if __name__ == "__main__":

@@ -1,16 +1,27 @@
 """What rooms cannot be used without: stated for every room type, in things that the catalogue's words can name."""
 
+import tomllib
+from importlib.resources import files
+
 import pytest
 
 from mansion_knowledge import default_knowledge
 from mansion_knowledge.essentials import needs_of, pieces_there, still_wanted
 
 PASSED_THROUGH = {"hallway", "corridor", "lobby", "elevator_lobby", "atrium", "ballroom", "stage"}
+LOOKED_AT = {"cinema_lobby", "museum_lobby", "school_lobby", "ship_hall"}
 
 
 def test_every_room_type_but_those_whose_floor_is_used_needs_something() -> None:
     without = {name for name in default_knowledge().rooms if not needs_of(name)}
     assert without == PASSED_THROUGH
+
+
+def test_rooms_that_building_or_name_furnishes_otherwise_need_something_too() -> None:
+    text = files("mansion_knowledge").joinpath("data", "furnished_as.toml").read_text(encoding="utf-8")
+    kinds = {rule["as"] for rule in tomllib.loads(text)["rule"]}
+    assert {kind for kind in kinds if not needs_of(kind)} == LOOKED_AT
+    assert [need.name for need in needs_of("restroom_with_urinals")] == ["toilet", "washbasin"]
 
 
 @pytest.mark.parametrize(

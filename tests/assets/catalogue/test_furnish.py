@@ -136,6 +136,15 @@ def test_a_long_piece_that_is_asked_for_stands_lengthwise_in_a_narrow_room() -> 
     assert "exam_table" in {asset.category for asset in request.floor_assets.values()}
 
 
+@pytest.mark.parametrize("sides", [(9.0, 6.5), (12.0, 8.0), (20.9, 13.0), (26.0, 14.0)])
+def test_a_pool_leaves_a_deck_to_walk_around_it(sides: tuple[float, float]) -> None:
+    asked = [RequestedObject(category="pool_basin", count=1)]
+    area = sides[0] * sides[1]
+    floor = furnish_request(CATALOGUE, "indoor_pool", area, seed=2, extent=sides, requested=asked).floor
+    (pool,) = [o for o in floor if o.name.startswith("pool_basin")]
+    assert all(side - length >= 2 * 0.9 for side, length in zip(sides, pool.size))
+
+
 def test_a_lobby_leaves_the_desk_to_a_reception_beside_it() -> None:
     def has_desk(*beside: str) -> bool:
         wishes = furnish_request(CATALOGUE, "lobby", 60.0, seed=1, room_id="F1/lobby", beside=beside)
