@@ -384,6 +384,8 @@ def _is_parking_outside(reading: Reading, phrase: Phrase) -> bool:
     words = reading.words(phrase.begin, phrase.last)
     if "parking" not in words and words[-2:] != ("car", "park"):
         return False
+    if "not" in reading.words(phrase.last, phrase.last + 2) or reading.word(phrase.begin - 1) in ("no", "without"):
+        return False  # which is an exclusion
     behind = reading.words(phrase.last, phrase.last + 2)
     return (
         behind[:1] in _OUTSIDE
