@@ -176,3 +176,15 @@ def test_plain_names_mean_what_such_a_building_has(brief: str, name: str, kind: 
     found = [room.room_type for floor in floors(brief) for room in floor.rooms if room.id.startswith(name)]
     assert found
     assert set(found) == {kind}
+
+
+@pytest.mark.parametrize(
+    ("brief", "kind"),
+    [
+        ("A school with six classrooms and toilets for boys and girls.", "restroom"),
+        ("A house with three bedrooms and a toilet for visitors.", "toilet"),
+    ],
+)
+def test_toilets_for_some_in_a_public_building_have_several_cubicles(brief: str, kind: str) -> None:
+    rooms = [room for floor in floors(brief) for room in floor.rooms if "toilet" in room.id]
+    assert {room.room_type for room in rooms if room.room_type != "accessible_toilet"} == {kind}

@@ -44,6 +44,9 @@ _WHERE_NOBODY_SLEEPS = frozenset({"education", "office", "culture", "retail", "f
 
 _PRIVATE = frozenset({"bedroom", "master_bedroom", "living_room"})
 
+_USERS = frozenset("man woman boy girl gent lady male female pupil student visitor customer public".split())
+"""Whose toilets in a public building have several cubicles: "toilets for boys and girls"."""
+
 
 def as_meant_in(building: BuildingType, facts: BriefFacts) -> BriefFacts:
     """Return facts in which rooms with a plain name are of the kind that the building has of its own.
@@ -156,6 +159,9 @@ def _meanings_in(building: BuildingType, facts: BriefFacts) -> _Meanings | None:
     meant = {plain: kind for plain, kind in kinds.items() if kind and kind not in stated}
     if building.family in _WHERE_NOBODY_SLEEPS and not stated & (_PRIVATE | {"toilet", "restroom"}):
         meant["bathroom"] = "restroom"
+    if building.family != "home":
+        of_users = (room.name for room in facts.rooms if room.room_type == "toilet" and not room.area)
+        meant |= {name: "restroom" for name in of_users if name.split("_")[0] in _USERS}
     if stated & _SHARED_BATHS:
         meant.pop("bedroom", "")
     private = _PRIVATE - _OF_GUESTS if building.family == "lodging" else _PRIVATE
