@@ -382,7 +382,8 @@ def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
 def _is_parking_outside(reading: Reading, phrase: Phrase) -> bool:
     """Whether cars are left before the building, where every plot has places for them: "parking outside"."""
     words = reading.words(phrase.begin, phrase.last)
-    if "parking" not in words and words[-2:] != ("car", "park"):
+    told_of = reading.word(phrase.last) in ("is", "are")  # "outside parking is not part of it" refuses it
+    if told_of or ("parking" not in words and words[-2:] != ("car", "park")):
         return False
     if "not" in reading.words(phrase.last, phrase.last + 2) or reading.word(phrase.begin - 1) in ("no", "without"):
         return False  # which is an exclusion
