@@ -71,6 +71,7 @@ def read_desk_areas(facts: BriefFacts) -> None:
         )
 
 
+_ADJECTIVES = frozenset({"single", "one", "only", "big", "large", "small", "test"})
 _PURPOSE = 8
 """Words between a room and the colon after which it is named, at most: "a room for testing a robot: a kitchen"."""
 
@@ -80,7 +81,8 @@ def without_announced(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     out = list(phrases)
     for number, phrase in enumerate(phrases[:-1]):
         named = phrases[number + 1]
-        plain = "room" in reading.words(phrase.first, min(phrase.noun_end, phrase.first + 2)) and not phrase.plural
+        bare = phrase.first + (reading.word(phrase.first) in _ADJECTIVES)
+        plain = reading.word(bare) == "room" and not phrase.plural
         if phrase.head != "room" or not plain or named.head != "room" or not named.known or named.plural:
             continue
         colon = next((at for at in range(phrase.last, phrase.last + _PURPOSE) if reading.word(at) == ":"), 0)

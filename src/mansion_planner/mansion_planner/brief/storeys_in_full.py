@@ -33,7 +33,7 @@ def storeys_in_full(tokens: list[Token], floor_words: AbstractSet[str]) -> list[
             result.append(replace(token, text="hold", plural=False))
             continue
         result.append(token)
-        short = token.kind == "ordinal" or token.text in ("ground", "top")
+        short = token.kind == "ordinal" or token.text == "ground"
         if storeyed and short and _text(tokens, index - 1) == "on" and _text(tokens, index + 1) in _ENDS:
             result.append(Token("word", "floor", token.end, token.end))
     return result
