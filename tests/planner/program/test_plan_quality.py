@@ -106,3 +106,11 @@ def test_a_kitchen_by_the_living_room_is_no_fault_and_one_apart_is() -> None:
 def test_a_hall_above_its_share_and_a_slender_bedroom_are_faults() -> None:
     assert faults({"bedroom": (0.0, 0.0, 4.0, 4.0)}, hall=(0.0, 4.0, 10.0, 6.0)) > 0.0
     assert faults({"bedroom": (0.0, 0.0, 2.0, 5.0)}) > faults({"bedroom": (0.0, 0.0, 3.0, 4.0)}) == 0.0
+
+
+def test_a_long_living_room_that_other_rooms_line_is_a_fault() -> None:
+    def lined(hub: Box) -> float:
+        living = replace(storey(), rooms=(), hub=KNOWLEDGE.room("living_room"))
+        return home_faults([(living, Sketch([Corridor("living_room", [hub], "")], [], {}), 80.0)])
+
+    assert lined((0.0, 0.0, 16.0, 2.3)) > lined((0.0, 0.0, 9.0, 3.5)) > lined((0.0, 0.0, 6.0, 4.0)) == 0.0

@@ -383,10 +383,9 @@ def _is_parking_outside(reading: Reading, phrase: Phrase) -> bool:
     """Whether cars are left before the building, where every plot has places for them: "parking outside"."""
     words = reading.words(phrase.begin, phrase.last)
     told_of = reading.word(phrase.last) in ("is", "are")  # "outside parking is not part of it" refuses it
-    if told_of or ("parking" not in words and words[-2:] != ("car", "park")):
+    refused = reading.word(phrase.begin - 1) in ("no", "without")
+    if told_of or refused or ("parking" not in words and words[-2:] != ("car", "park")):
         return False
-    if "not" in reading.words(phrase.last, phrase.last + 2) or reading.word(phrase.begin - 1) in ("no", "without"):
-        return False  # which is an exclusion
     behind = reading.words(phrase.last, phrase.last + 2)
     return (
         behind[:1] in _OUTSIDE

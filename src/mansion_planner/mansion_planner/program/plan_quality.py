@@ -233,6 +233,10 @@ def _storey_faults(storey: Storey, sketch: Sketch) -> float:
     placed = [placement for placement in sketch.rooms if placement.boxes]
     kitchens, group, utility = (_of(placed, kinds) for kinds in (_KITCHENS, _GROUP, _UTILITY))
     price = _SLENDER_PRICE * sum(p.room.kind.daylight and aspect(p.boxes) > _SLENDER for p in placed)
+    if storey.hub.daylight and sketch.corridors:
+        # The room that the others line is no placed room: whether it is a strip is told here alone.
+        form = aspect(sketch.corridors[0].boxes)
+        price += _SLENDER_PRICE * (form > _SLENDER) + (form > STRIP)
     if kitchens and group and storey.hub.name not in _GROUP:
         price += _KITCHEN_PRICE * (not _are_beside(kitchens, group))
     if kitchens and utility:
