@@ -48,8 +48,15 @@ def test_each_room_has_what_ends_the_list_of_its_furniture(text: str, own: str) 
     assert own in {child.name for fact in _facts(text).rooms for child in fact.suite}
 
 
-def test_a_second_bedroom_is_another_one() -> None:
-    facts = _facts("A house with our bedroom, a second bedroom for guests and a bathroom")
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A house with our bedroom, a second bedroom for guests and a bathroom",
+        "A house with a bedroom for her, and our own bedroom at the other end",
+    ],
+)
+def test_a_second_bedroom_is_another_one(text: str) -> None:
+    facts = _facts(text)
     assert sum(fact.count or 0 for fact in facts.rooms if fact.name == "bedroom") == 2
 
 
