@@ -87,3 +87,8 @@ def test_each_storey_above_ground_has_the_area(text: str) -> None:
 
 def test_please_design_asks_for_what_follows() -> None:
     assert [name for name, _ in _facts("Please design office of 3 floors for 24 employees.").building] == ["office"]
+
+
+def test_what_a_list_counts_behind_a_relation_stands_anywhere() -> None:
+    (racks,) = _facts("A warehouse with two docks, a cold store next to the docks, 20 pallet racks, one office").objects
+    assert (racks.count, racks.room) == (20, "")

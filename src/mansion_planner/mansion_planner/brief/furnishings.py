@@ -436,6 +436,8 @@ def _of_subject(
     if reading.sentence[phrases[room].first] != reading.sentence[phrases[number].first]:
         return owner
     gap = reading.words(phrases[room].last, phrases[number].first)
+    if gap == (",",) and phrases[number].counted:
+        return None, False  # "a cold store next to the docks, 20 pallet racks" is a list of what the building has
     inside = reading.words(phrases[number].last, phrases[number].last + 2) in (("in", "it"), ("inside", "it"))
     joined = gap[:2] == ("and", "with") or gap[:3] == (",", "and", "with") or gap[:1] in _HAS
     return (relation.lefts[-1], owner[1]) if inside or joined else owner
