@@ -150,7 +150,7 @@ def statements(brief: str) -> list[str]:
         ),
         (
             "A supermarket with a cafe. The sales hall must be bigger than everything else, namely 550 m2.",
-            ["building: supermarket", "1 cafe", "1 sale hall of 550 m2", "[bigger]", "[else]"],
+            ["building: supermarket", "1 cafe", "1 sale hall of 550 m2", "[bigger than everything else]"],
         ),
         (
             "An office of three floors. GF: lobby. 1F + 2F: 8 team offices per floor, each 20 m2, and a kitchenette.",

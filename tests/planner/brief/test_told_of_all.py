@@ -48,8 +48,15 @@ def test_each_room_has_what_ends_the_list_of_its_furniture(text: str, own: str) 
     assert own in {child.name for fact in _facts(text).rooms for child in fact.suite}
 
 
-def test_a_second_bedroom_is_another_one() -> None:
-    facts = _facts("A house with our bedroom, a second bedroom for guests and a bathroom")
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A house with our bedroom, a second bedroom for guests and a bathroom",
+        "A house with a bedroom for her, and our own bedroom at the other end",
+    ],
+)
+def test_a_second_bedroom_is_another_one(text: str) -> None:
+    facts = _facts(text)
     assert sum(fact.count or 0 for fact in facts.rooms if fact.name == "bedroom") == 2
 
 
@@ -80,3 +87,8 @@ def test_each_storey_above_ground_has_the_area(text: str) -> None:
 
 def test_please_design_asks_for_what_follows() -> None:
     assert [name for name, _ in _facts("Please design office of 3 floors for 24 employees.").building] == ["office"]
+
+
+def test_what_a_list_counts_behind_a_relation_stands_anywhere() -> None:
+    (racks,) = _facts("A warehouse with two docks, a cold store next to the docks, 20 pallet racks, one office").objects
+    assert (racks.count, racks.room) == (20, "")

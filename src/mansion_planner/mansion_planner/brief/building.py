@@ -380,7 +380,8 @@ def unknown_building(reading: Reading, places: Sequence[Place]) -> tuple[str, st
         if first >= 0 and first not in headed and _stands_as_building(reading, first) and index - first <= 5:
             like = "" if reading.plural(index - 1) else _kind_by_head(reading, first, index)
             sized = reading.kind(first - 1) == "number" and reading.word(first) in _ROOMS_OF_FLATS  # "a two-bed flat"
-            if sized or _names_part(reading, first, index, like):
+            tried = reading.words(first, index) in _TRIED
+            if sized or tried or _names_part(reading, first, index, like):
                 first = -1
                 continue
             opens = _opens_brief(reading, first) and (
@@ -396,6 +397,8 @@ def unknown_building(reading: Reading, places: Sequence[Place]) -> tuple[str, st
     return max(found, key=lambda entry: (entry[0], -entry[1][2]))[1] if found else None
 
 
+_TRIED = frozenset(("test", place) for place in ("scene", "scenario", "environment", "world", "setup", "level"))
+"""What opens a brief that is about a robot, and names no building: "test world for a delivery robot"."""
 _PARTS_OF_BUILDINGS = frozenset({"building", "wing", "block", "annex", "annexe", "extension", "pavilion"})
 """Nouns after that of a building, which is of the same kind as a whole."""
 

@@ -505,7 +505,8 @@ def _is_all_there_is(reading: Reading, place: Place, phrases: Sequence[Phrase], 
     before = next((p for p in phrases if p.last == index and p.head == "room"), None)
     if before is not None and before.plural and (reading.breaks(index + 1) or reading.word(index + 1) in (",", ";")):
         return reading.sentence[before.first] == reading.sentence[place.first] and place.first < before.first
-    after = next((p for p in phrases if p.first == index + 1 and p.head == "room"), None)
+    rooms = (p for p in phrases if p.head == "room" or (p.head == "building" and p.plural and p.room_type))
+    after = next((p for p in rooms if p.first == index + 1), None)
     listed = any(p.head == "room" and place.last <= p.first < index for p in phrases)
     led = place.last < index and reading.word(index - 1) in _HOLDS and not listed
     following = place.last == index or led

@@ -96,7 +96,7 @@ _SURFACES = {"floor": "floor", "flooring": "floor", "wall": "wall"}
 _STYLE_NOUNS = frozenset(
     """
     style look feel feeling character design interior manner spirit flavour flavor aesthetic vibe taste decor theme
-    furniture fittings touch atmosphere decoration ambience ambiance mood chic
+    colour color palette furniture fittings touch atmosphere decoration ambience ambiance mood chic
     """.split()
 )
 

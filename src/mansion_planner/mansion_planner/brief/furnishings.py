@@ -6,12 +6,12 @@ from dataclasses import replace
 from typing import TypeAlias
 
 from mansion_planner.brief.absences import is_nowhere_wanted
-from mansion_planner.brief.area_words import after_area
 from mansion_planner.brief.facts import MaterialFact, ObjectFact
 from mansion_planner.brief.furniture_words import special_kind, usually_in
-from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
+from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.relation_rooms import Relation
+from mansion_planner.brief.room_seats import is_whole_building, places_for_people
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.table_seats import end_of_seats, seats_at_tables
 
@@ -46,7 +46,7 @@ def read_furnishings(
     relations : sequence of Relation
         Which rooms lie beside which.
     """
-    found = _seats(reading, phrases, negated) + _numbered_places(reading, phrases, negated)
+    found = places_for_people(reading, phrases, negated)
     owners = _owners(reading, phrases, relations)
     for number, phrase in enumerate(phrases):
         if phrase.head != "object" or _passes_by(reading, phrases, number):
@@ -86,7 +86,8 @@ def _owners(reading: Reading, phrases: list[Phrase], relations: Sequence[Relatio
     rooms = [
         n
         for n, phrase in enumerate(phrases)
-        if phrase.head == "room" or (phrase.head == "building" and phrase.room_type and not _whole(reading, phrase))
+        if phrase.head == "room"
+        or (phrase.head == "building" and phrase.room_type and not is_whole_building(reading, phrase))
     ]
     for number in reversed(range(len(phrases))):
         if phrases[number].head == "object":
@@ -262,95 +263,6 @@ def _unread_place(reading: Reading, phrase: Phrase) -> int:
     return index + 1 + len(words) if any(word not in FUNCTION_WORDS for word in words) else index
 
 
-_SEATED = PEOPLE | {"seat", "chair"}
-
-
-def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]]) -> list[ObjectFact]:
-    """Read how many people a room is for as the seats that it needs: "a dining room for 48 guests", "seating 50"."""
-    found = []
-    for number, phrase in enumerate(phrases):
-        named = phrase.head == "room" or (phrase.head == "building" and not _whole(reading, phrase))
-        bedded = phrase.room_type in _DORMITORIES
-        if not named or not phrase.room_type or number in negated or (phrase.room_type in _UNSEATED and not bedded):
-            continue
-        end = _after_storey(reading, after_area(reading, phrase.last))
-        begin = end + (reading.word(end) == ",")
-        begin = begin + 1 if reading.word(begin) in ("each", "every") else end
-        link, at = reading.word(begin), begin + 1
-        at += reading.word(at) in ("about", "around", "up", "at", "some")
-        at += reading.word(at) in ("to", "least")
-        seated = reading.word(at + 1) in _SEATED
-        bracketed = link == "(" and seated and reading.words(at + 1, at + 3) not in (("seat", ")"), ("chair", ")"))
-        apiece = reading.word(at + 2) in ("each", "apiece")
-        bracketed = bracketed and reading.word(at + 2 + apiece) == ")"
-        if not (bracketed or link in ("for", "seating", "seat")) or reading.kind(at) != "number":
-            continue
-        if not 1 < reading.value(at) <= 500:
-            continue
-        last = at + 1 + seated + (bracketed and not apiece)
-        if last == at + 1 and reading.kind(last) == "word" and reading.word(last) not in FUNCTION_WORDS:
-            continue  # "for 150 stacking chairs" is about what is kept there
-        each = begin > end or reading.word(last) in ("each", "apiece")
-        last += (reading.word(last) in ("each", "apiece")) + (bracketed and apiece)
-        span = reading.span(begin - (begin > end), last)
-        found.append(ObjectFact(
-            words=f"for {reading.value(at):.0f}", category="bed" if bedded else "chair", span=span,
-            count=int(reading.value(at)), room=phrase.name, room_type=phrase.room_type, each=each,
-            noun="beds" if bedded else "seats", exact=bedded,
-        ))  # fmt: skip
-        reading.take(begin - (begin > end), last)
-    return found
-
-
-def _after_storey(reading: Reading, index: int) -> int:
-    """Return where a storey ends that stands at a token: "an office upstairs for 15 people"."""
-    if reading.word(index) in _STAIRS:
-        return index + 1
-    if reading.word(index) not in ("on", "at", "in") or reading.word(index + 1) != "the":
-        return index
-    return next((at + 1 for at in range(index + 2, index + 4) if reading.word(at) in FLOOR_WORDS), index)
-
-
-_STAIRS = frozenset({"upstairs", "upstair", "downstairs", "downstair"})
-
-
-def _numbered_places(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]]) -> list[ObjectFact]:
-    """Read "three 6-bed dorms" and "a 12-seat boardroom" as the furniture that each such room needs."""
-    found = []
-    for number, phrase in enumerate(phrases):
-        named = phrase.head == "room" or (phrase.head == "building" and not _whole(reading, phrase))
-        if not named or not phrase.room_type or number in negated or reading.knowledge.room(phrase.room_type).unit:
-            continue  # "two-bed flats" have two bedrooms
-        for index in range(max(phrase.first - 2, 0), phrase.noun_end - 1):
-            category = _PLACES.get(reading.word(index + 1))
-            joined = not reading.tokens[index + 1].spaced and reading.kind(index) == "number"
-            if category is None or not joined or not 1 < reading.value(index) <= 100:
-                continue
-            span = reading.span(index, index + 2)
-            found.append(ObjectFact(
-                words=f"for {reading.value(index):.0f}", category=category, span=span, count=int(reading.value(index)),
-                room=phrase.name, room_type=phrase.room_type, each=True, noun=_PLACES_AS[category],
-            ))  # fmt: skip
-            reading.take(index, index + 2)
-    return found
-
-
-_PLACES = {"bed": "bed", "seat": "chair", "seater": "chair", "desk": "desk", "person": "chair"}
-"""What a hyphen joins to a number before a room: "6-bed", "12-seat"."""
-_PLACES_AS = {"bed": "beds", "chair": "seats", "desk": "desks"}
-
-_DORMITORIES = frozenset({"dorm_room", "hostel_dorm", "bunk_room"})
-"""Rooms of which "for 8" says how many sleep there."""
-
-_UNSEATED = frozenset(
-    """
-    bedroom storage garage parking bike_storage bathroom toilet cloakroom apparatus_bay dorm_room hostel_dorm
-    bunk_room hotel_room archive warehouse apartment holding_cell gym spinning_room yoga_studio sports_hall
-    climbing_room dance_studio indoor_pool sauna changing_room shower_area
-    """.split()
-)
-
-
 _NO_MORE = frozenset({"least", "minimum", "min", "more", "less", "fewer"})
 """Words of a count that is a lower bound."""
 
@@ -400,11 +312,6 @@ def _replaced(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[
     return number > 0 and reading.words(first, first + 2) in (("instead", "of"), ("rather", "than"))
 
 
-def _whole(reading: Reading, phrase: Phrase) -> bool:
-    """Whether a phrase names the building that the brief is about."""
-    return any(span == reading.span(phrase.begin, phrase.noun_end) for _, span in reading.facts.building)
-
-
 def _shared_owner(
     reading: Reading, phrases: list[Phrase], owners: dict[int, tuple[int | None, bool]], number: int
 ) -> tuple[int | None, bool] | None:
@@ -436,6 +343,8 @@ def _of_subject(
     if reading.sentence[phrases[room].first] != reading.sentence[phrases[number].first]:
         return owner
     gap = reading.words(phrases[room].last, phrases[number].first)
+    if gap == (",",) and phrases[number].counted:
+        return None, False  # "a cold store next to the docks, 20 pallet racks" is a list of what the building has
     inside = reading.words(phrases[number].last, phrases[number].last + 2) in (("in", "it"), ("inside", "it"))
     joined = gap[:2] == ("and", "with") or gap[:3] == (",", "and", "with") or gap[:1] in _HAS
     return (relation.lefts[-1], owner[1]) if inside or joined else owner

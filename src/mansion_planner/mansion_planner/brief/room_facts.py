@@ -196,8 +196,9 @@ class RoomStatements:
         """Whether an unnumbered room only says again what the brief wants already ("a library ... library")."""
         if phrase.counted or fact.count not in (None, 1) or phrase.determiner in ("a", "an", "another"):
             return False
-        if self.reading.kind(phrase.begin - 1) == "ordinal":
-            return False  # "our bedroom, a second bedroom"
+        own = self.reading.words(phrase.begin - 1, phrase.begin + 1) in (("our", "own"), ("my", "own"))
+        if self.reading.kind(phrase.begin - 1) == "ordinal" or own:
+            return False  # "our bedroom, a second bedroom"; "a bedroom for her, our own bedroom"
         for number, other in enumerate(self.reading.facts.rooms):
             if (other.name, other.count, other.each) == (fact.name, fact.count, fact.each) and [
                 (r.kind, r.first, r.last) for r in other.floors

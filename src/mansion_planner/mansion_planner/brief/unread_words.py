@@ -70,9 +70,17 @@ _REFLEXIVE = frozenset(
 
 
 def _is_ones_own(reading: Reading, index: int) -> bool:
-    """Whether an ordinal counts people or times: "our second baby", "the third time"."""
+    """Whether a number counts people, pets or times: "our second baby", "the third time", "two cats"."""
     after = reading.word(index + 1)
+    first = index - (reading.word(index) in _PETS)
+    if reading.kind(first) == "number" and reading.word(first + 1) in _PETS and reading.word(first - 1) in _HAVING:
+        return True
     return reading.kind(index) == "ordinal" and (is_person(after) or is_idle_word(after))
+
+
+_PETS = frozenset({"cat", "dog", "kitten", "puppy", "pet"})
+"""Who lives with those who write, and asks for nothing: "we have two cats"."""
+_HAVING = frozenset({":", "have", "own", "has"})
 
 
 _HOUSEHOLD = frozenset({"couple", "family", "man", "woman", "people", "professional"})
@@ -99,7 +107,7 @@ _REQUESTS = frozenset(
     design generate imagine think thank suppose assume kindly hereby attach attached regards turn convert converting
     furnish bought dream dreaming wanting requiring requirement help mean means call enter coming map
     wished wishing renovate refurbish redesign naturally course completely strictly oh whatever latter thereabouts
-    scene scenario environment god sake
+    scene scenario environment world god sake
     utmost provided outgrown premises actually hmm hm um uh erm scrap wait sorry oops add adding cheer regard behalf
     """.split()
 )
@@ -108,7 +116,7 @@ _REQUESTS = frozenset(
 _LABELS = frozenset(
     """
     accommodation schedule programme program character idiom core capacity interior requirement note summary project
-    client circulation vertical scope object furniture furnishing
+    client circulation vertical scope object furniture furnishing pet
     """.split()
 )
 """What the lists and headings of a written brief are called."""
