@@ -22,10 +22,12 @@ from mansion_editing.instructions.statements import (
     Paint,
     Place,
     Remove,
+    Replace,
     Rooms,
     SetState,
     Statement,
     Things,
+    Turn,
 )
 
 __all__ = ["ClauseReader", "of_each_room", "sparing"]
@@ -35,13 +37,27 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
     """Reads the clauses of one sentence."""
 
     def read(self, at: int) -> tuple[list[Statement], int]:
-        """Read the clause at a place.
+        """Read the clause at a place; what it changes is in the room that the sentence began with.
 
         Raises
         ------
         NotUnderstood
             Where the words make no clause.
         """
+        statements, end = self._clause(at)
+        return [self._done_within_frame(statement) for statement in statements], end
+
+    def _done_within_frame(self, statement: Statement) -> Statement:
+        """Return ``magazines gone`` after ``Lounge:`` as those of the lounge."""
+        if not isinstance(statement, Remove | SetState | Paint | Replace | Turn):
+            return statement
+        things = statement.things
+        if things.place is not None or things.refers:
+            return statement
+        return msgspec.structs.replace(statement, things=self._within_frame(things))
+
+    def _clause(self, at: int) -> tuple[list[Statement], int]:
+        """Read the clause at a place by the first of the readers that understands it."""
         if at >= len(self.words):
             raise NotUnderstood(len(self.words) - 1, len(self.words))
         staying = (
