@@ -165,6 +165,17 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
             return [self._removed([item] if own else items, item, (), (), quote)]
         return self._there(item, self._shared_goal([item], item), quote)
 
+    def _is_at_its_place(self, item: Item) -> bool:
+        """Whether new things have a place of their own: ``two mugs on the table, the magazine out``."""
+        new = not (item.phrase.definite or item.phrase.refers) and item.phrase.amount.kind == "some"
+        return new and item.phrase.amount.number > 0 and bool(item.places) and not item.places[0].source
+
+    def _placed_or_out(self, item: Item, items: Sequence[Item], quote: str, *, own: bool) -> list[Statement]:
+        """Return that one of several things comes to its own place, or is out as all of them are."""
+        if own and self._is_at_its_place(item):
+            return self._there(item, self._shared_goal([item], item), quote)
+        return [self._removed([item] if own else items, item, (), (), quote)]
+
     def _comes_in_notes(self, items: Sequence[Item], after: int) -> bool:
         """Whether notes say that new things come in: ``the shelf out, an exam table in``."""
         ends = after >= len(self.words) or self.words[after].kind == "mark" or self.text(after) == "and"
@@ -204,7 +215,8 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
             return [Add(things=item.phrase.things(), place=here, quote=quote) for item in items], end + 1
         if self.text(end) in ("out", "away", "gone"):
             quote = self.quote(at, end + 1)
-            return [self._removed(items, item, (), (), quote) for item in items], end + 1
+            own = not items[-1].places and any(self._is_at_its_place(item) for item in items[:-1])
+            return [s for item in items for s in self._placed_or_out(item, items, quote, own=own)], end + 1
         if not any(item.places for item in items) and self.frame == Place():
             kinds = {item.phrase.amount.kind for item in items}
             if not kinds & {"more", "fewer", "none", "exactly"}:
