@@ -22,10 +22,12 @@ from mansion_editing.instructions.statements import (
     Paint,
     Place,
     Remove,
+    Replace,
     Rooms,
     SetState,
     Statement,
     Things,
+    Turn,
 )
 
 __all__ = ["ClauseReader", "of_each_room", "sparing"]
@@ -35,13 +37,27 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
     """Reads the clauses of one sentence."""
 
     def read(self, at: int) -> tuple[list[Statement], int]:
-        """Read the clause at a place.
+        """Read the clause at a place; what it changes is in the room that the sentence began with.
 
         Raises
         ------
         NotUnderstood
             Where the words make no clause.
         """
+        statements, end = self._clause(at)
+        return [self._done_within_frame(statement) for statement in statements], end
+
+    def _done_within_frame(self, statement: Statement) -> Statement:
+        """Return ``magazines gone`` after ``Lounge:`` as those of the lounge."""
+        if not isinstance(statement, Remove | SetState | Paint | Replace | Turn):
+            return statement
+        things = statement.things
+        if things.place is not None or things.refers:
+            return statement
+        return msgspec.structs.replace(statement, things=self._within_frame(things))
+
+    def _clause(self, at: int) -> tuple[list[Statement], int]:
+        """Read the clause at a place by the first of the readers that understands it."""
         if at >= len(self.words):
             raise NotUnderstood(len(self.words) - 1, len(self.words))
         staying = (
@@ -149,6 +165,17 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
             return [self._removed([item] if own else items, item, (), (), quote)]
         return self._there(item, self._shared_goal([item], item), quote)
 
+    def _is_at_its_place(self, item: Item) -> bool:
+        """Whether new things have a place of their own: ``two mugs on the table, the magazine out``."""
+        new = not (item.phrase.definite or item.phrase.refers) and item.phrase.amount.kind == "some"
+        return new and item.phrase.amount.number > 0 and bool(item.places) and not item.places[0].source
+
+    def _placed_or_out(self, item: Item, items: Sequence[Item], quote: str, *, own: bool) -> list[Statement]:
+        """Return that one of several things comes to its own place, or is out as all of them are."""
+        if own and self._is_at_its_place(item):
+            return self._there(item, self._shared_goal([item], item), quote)
+        return [self._removed([item] if own else items, item, (), (), quote)]
+
     def _comes_in_notes(self, items: Sequence[Item], after: int) -> bool:
         """Whether notes say that new things come in: ``the shelf out, an exam table in``."""
         ends = after >= len(self.words) or self.words[after].kind == "mark" or self.text(after) == "and"
@@ -188,7 +215,8 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
             return [Add(things=item.phrase.things(), place=here, quote=quote) for item in items], end + 1
         if self.text(end) in ("out", "away", "gone"):
             quote = self.quote(at, end + 1)
-            return [self._removed(items, item, (), (), quote) for item in items], end + 1
+            own = not items[-1].places and any(self._is_at_its_place(item) for item in items[:-1])
+            return [s for item in items for s in self._placed_or_out(item, items, quote, own=own)], end + 1
         if not any(item.places for item in items) and self.frame == Place():
             kinds = {item.phrase.amount.kind for item in items}
             if not kinds & {"more", "fewer", "none", "exactly"}:

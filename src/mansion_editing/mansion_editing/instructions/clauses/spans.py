@@ -162,6 +162,8 @@ class Spans(ABC):
                 break
             if self.text(at) == "next" and self.text(at + 1) == "to":
                 break
+            if self.words[at].kind == "word" and self.lexicon.is_own_room((self.text(at), self.text(at + 1))):
+                break  # "team room: lights off" calls no team
             if self.text(at) == "for" and self.text(at + 1) in ("me", "us"):
                 at += 1
             if self.text(at) == "as" and self.text(at + 1) not in ("well", "soon"):

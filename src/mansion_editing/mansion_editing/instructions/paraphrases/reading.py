@@ -47,6 +47,11 @@ _MIDDLE_OF_IT: Final = re.compile(r"\b(middle|centre|center|corner) of it\b", re
 _SOME_ALREADY: Final = re.compile(r"\balready\b", re.IGNORECASE)
 _FIXING: Final = re.compile(r"(fix|sort|change|mend) (that|it|this)\b", re.IGNORECASE)
 """What is to be put right, which the clause before tells."""
+_STATE_AT_END: Final = re.compile(
+    r"(?:\band|,) (?:the |our |my )?(?!(?:so|from|later|early|move|go|carry)\b)[a-z -]+ (?:on|off|open|closed|shut)[.!]?$",
+    re.IGNORECASE,
+)
+"""A thing and the state that it shall be in, as the last of what notes ask for."""
 _WONDERING: Final = re.compile(r"(who|why|how come|what on earth)\b", re.IGNORECASE)
 """Words that begin a question which nobody wants answered."""
 _CORRECTION: Final = re.compile(
@@ -104,6 +109,8 @@ def _may_ask(said: MainPoints, state: SceneState, brief: str) -> bool:
     """Whether a clause that was left out would be understood as a request if it stood alone."""
     for remark in said.remarks:
         if remark not in said.described and not _WONDERING.match(remark):
+            if _STATE_AT_END.search(remark):
+                return True
             alone = read_instruction(remark, state, brief)
             if not alone.not_understood and not _only_keeps(alone):
                 return True

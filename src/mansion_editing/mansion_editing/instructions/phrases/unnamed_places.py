@@ -43,7 +43,7 @@ def end_of_same_room(words: Sequence[Word], at: int) -> int:
 
 def goes_on_with_noun(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
     """Whether a storey is only the modifier of a noun ("in the ground floor kitchen", "on the top floor guest bed")."""
-    if at >= len(words) or words[at].text in ("on", "in"):
+    if at >= len(words) or words[at].kind == "mark" or words[at].text in ("on", "in"):
         return False
     if words[at].text == "one":
         return True
