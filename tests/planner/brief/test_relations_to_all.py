@@ -49,6 +49,17 @@ def test_the_rooms_of_one_phrase_are_kept_apart() -> None:
     assert (fact.first, fact.second) == ("bedroom", "bedroom")
 
 
+_LABS = (
+    "A laboratory. Two levels. Ground level: sample reception, a microbiology lab of 50 m² and a chemistry lab of 60 m²."
+    " Those two labs must not share a wall."
+)
+
+
+def test_those_two_labs_are_the_two_named_before() -> None:
+    facts = _facts(_LABS)
+    assert [(fact.first_name, fact.second_name) for fact in facts.apart] == [("microbiology_lab", "chemistry_lab")]
+
+
 def test_that_office_is_the_one_named_before() -> None:
     facts = _facts(
         "A home with a caregivers' office, a dining room, a medication room next to that office, and a laundry"

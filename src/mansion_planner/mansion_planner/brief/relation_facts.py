@@ -49,6 +49,8 @@ def state_relations(
             first, second = (phrases[same.get(n, n)] for n in pair)
             if not first.room_type or not second.room_type or "unknown" in (first.head, second.head):
                 continue
+            if relation.apart and first is second and first.count == 1:
+                continue  # of "those labs" only one is known
             span = _span_of_relation(reading, relation, *(phrases[n] for n in pair))
             words = reading.words(relation.first, relation.last)
             between = words[:1] == ("between",) and len(relation.rights) == 1 and second.plural
