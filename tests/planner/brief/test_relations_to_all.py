@@ -50,7 +50,7 @@ def test_the_rooms_of_one_phrase_are_kept_apart() -> None:
 
 
 _LABS = (
-    "A laboratory. Two levels. Ground level: sample reception, a microbiology lab of 50 m² and a chemistry lab of 60 m²."
+    "A laboratory. Two levels. Ground level: reception, a microbiology lab of 50 m² and a chemistry lab of 60 m²."
     " Those two labs must not share a wall."
 )
 
