@@ -78,3 +78,8 @@ def test_that_office_is_the_one_named_before() -> None:
 )
 def test_what_no_relation_was_made_of_is_told(text: str, words: str) -> None:
     assert any(words in span.words for span in _facts(text).unread)
+
+
+def test_a_room_between_two_that_are_named_lies_beside_both() -> None:
+    facts = _facts("A men's dormitory, a women's dormitory and a warden's room between the two dormitories.")
+    assert {fact.second_name for fact in facts.adjacent} == {"man_dormitory", "woman_dormitory"}
