@@ -81,5 +81,6 @@ def test_what_no_relation_was_made_of_is_told(text: str, words: str) -> None:
 
 
 def test_a_room_between_two_that_are_named_lies_beside_both() -> None:
-    facts = _facts("A men's dormitory, a women's dormitory and a warden's room between the two dormitories.")
+    rooms = "men's dormitory, women's dormitory, warden's room between the two dormitories"
+    facts = _facts(f"Shelter, 2 levels. Upstairs {rooms}.")
     assert {fact.second_name for fact in facts.adjacent} == {"man_dormitory", "woman_dormitory"}
