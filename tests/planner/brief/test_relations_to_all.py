@@ -49,6 +49,17 @@ def test_the_rooms_of_one_phrase_are_kept_apart() -> None:
     assert (fact.first, fact.second) == ("bedroom", "bedroom")
 
 
+_LABS = (
+    "A laboratory. Two levels. Ground level: reception, a microbiology lab of 50 m² and a chemistry lab of 60 m²."
+    " Those two labs must not share a wall."
+)
+
+
+def test_those_two_labs_are_the_two_named_before() -> None:
+    facts = _facts(_LABS)
+    assert [(fact.first_name, fact.second_name) for fact in facts.apart] == [("microbiology_lab", "chemistry_lab")]
+
+
 def test_that_office_is_the_one_named_before() -> None:
     facts = _facts(
         "A home with a caregivers' office, a dining room, a medication room next to that office, and a laundry"
@@ -67,3 +78,9 @@ def test_that_office_is_the_one_named_before() -> None:
 )
 def test_what_no_relation_was_made_of_is_told(text: str, words: str) -> None:
     assert any(words in span.words for span in _facts(text).unread)
+
+
+def test_a_room_between_two_that_are_named_lies_beside_both() -> None:
+    rooms = "men's dormitory, women's dormitory, warden's room between the two dormitories"
+    facts = _facts(f"Shelter, 2 levels. Upstairs {rooms}.")
+    assert {fact.second_name for fact in facts.adjacent} == {"man_dormitory", "woman_dormitory"}

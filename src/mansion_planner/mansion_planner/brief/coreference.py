@@ -176,7 +176,7 @@ def _group(phrases: Sequence[Phrase], number: int, rooms: Sequence[int], *, plac
     """
     phrase = phrases[number]
     one_of = phrase.determiner in ("either", "neither", "any") and not phrase.counted
-    again = phrase.determiner in ("the", "these", "both", "all") or (placed and not phrase.determiner)
+    again = phrase.determiner in ("the", "these", "those", "both", "all") or (placed and not phrase.determiner)
     if not one_of and not (phrase.plural and again):
         return []
     before = [n for n in rooms if n < number and _same_name(phrase, phrases[n]) and phrases[n].count == 1]

@@ -353,12 +353,14 @@ def state_relations(
     for relation in relations:
         held = reading.facts.apart if relation.apart else reading.facts.adjacent
         many = len(held)
-        for pair in _pairs(groups, relation):
+        words = reading.words(relation.first, relation.last)
+        for pair in _pairs(groups, relation, between=words[:1] == ("between",)):
             first, second = (phrases[same.get(n, n)] for n in pair)
             if not first.room_type or not second.room_type or "unknown" in (first.head, second.head):
                 continue
+            if relation.apart and first is second and first.count == 1:
+                continue  # of "those labs" only one is known
             span = _span_of_relation(reading, relation, *(phrases[n] for n in pair))
-            words = reading.words(relation.first, relation.last)
             between = words[:1] == ("between",) and len(relation.rights) == 1 and second.plural
             held.append(
                 AdjacencyFact(
@@ -394,7 +396,7 @@ def _tell(reading: Reading, relation: Relation) -> None:
     reading.taken.difference_update(range(relation.first, relation.last))
 
 
-def _pairs(groups: Mapping[int, list[int]], relation: Relation) -> list[tuple[int, int]]:
+def _pairs(groups: Mapping[int, list[int]], relation: Relation, *, between: bool) -> list[tuple[int, int]]:
     whole = relation.lefts[0]
     if relation.lefts == relation.rights == (whole,) and whole in groups:
         group = groups[whole]
@@ -405,4 +407,6 @@ def _pairs(groups: Mapping[int, list[int]], relation: Relation) -> list[tuple[in
         return [(left, right) for left in lefts for right in rights if left != right or alone]
     if len(relation.lefts) == len(relation.rights) and len(relation.lefts) > 1:
         return list(zip(relation.lefts, relation.rights))
+    if between:
+        return [(left, right) for left in relation.lefts for right in rights]  # "between the two dormitories"
     return [(left, right) for left in relation.lefts for right in relation.rights]
