@@ -21,6 +21,26 @@ def test_a_room_with_an_occasion_is_where_all_of_it_is(furnished_state: SceneSta
     assert [found.words for found in rooms if found is not None] == ["kitchen", "kitchen"]
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Kitchen: plates gone.",
+        "Kitchen on the first floor: plates gone.",
+        "In the kitchen on the first floor: plates out.",
+    ],
+)
+def test_what_shall_be_gone_after_a_room_is_that_of_the_room(furnished_state: SceneState, text: str) -> None:
+    (gone,) = _statements(text, furnished_state)
+    assert isinstance(gone, Remove) and gone.things.place is not None and gone.things.place.rooms is not None
+    assert gone.things.place.rooms.words == "kitchen"
+
+
+def test_new_things_at_their_place_stay_where_another_thing_goes_out(furnished_state: SceneState) -> None:
+    there, gone = _statements("Two mugs on the dining table in the kitchen, the plate out.", furnished_state)
+    assert isinstance(there, Ensure) and there.things.noun == "mug"
+    assert isinstance(gone, Remove) and gone.things.noun == "plate"
+
+
 def test_a_heading_is_passed_over_and_a_place_after_it_read(furnished_state: SceneState) -> None:
     (there,) = _statements("Preparing the workshop: in the kitchen there must be exactly one mug.", furnished_state)
     assert isinstance(there, Ensure) and there.place.rooms is not None and there.place.rooms.words == "kitchen"

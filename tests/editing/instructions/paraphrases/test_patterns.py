@@ -2,7 +2,7 @@
 
 import pytest
 
-from mansion_editing.instructions.paraphrases.patterns import in_plain_words, in_running_text
+from mansion_editing.instructions.paraphrases.patterns import in_plain_words, in_running_text, without_idioms
 
 
 @pytest.mark.parametrize(
@@ -22,6 +22,12 @@ from mansion_editing.instructions.paraphrases.patterns import in_plain_words, in
         ("Anna wants the plant swapped for a bookcase.", "replace the plant by a bookcase."),
         ("Get the lamp out of the hall and into the study.", "move the lamp from the hall to the study."),
         ("Lay the table in the hall with two plates.", "put two plates on the table in the hall."),
+        ("A trolley must still fit through from the hall to the study.", "I can get from the hall to the study."),
+        ("We must be able to push a cart from the hall to the study.", "I can get from the hall to the study."),
+        ("Keep the way from the hall to the study open.", "I can get from the hall to the study."),
+        ("Guests in the study must get down to the hall.", "I can get from the study to the hall."),
+        ("People must still get in from the hall.", "I can get from the hall to there."),
+        ("Make sure the door can still be used.", "do not block the door."),
         ("Have the rack stand next to the bench.", "the rack should stand next to the bench."),
         (
             "Get the globe - sorry, the chart - out of the hall and into the study.",
@@ -55,3 +61,30 @@ def test_wordings_are_put_plainly(said: str, plain: str) -> None:
 )
 def test_plain_words_are_left_as_they_are(said: str) -> None:
     assert in_plain_words(said) == said
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Nobody should be able to get from the hall to the study.",
+        "Is it possible to bring the laptop from the hall to the study?",
+        "The plant in the hall should go to the study.",
+    ],
+)
+def test_what_is_no_free_way_is_not_read_as_one(said: str) -> None:
+    assert "I can get" not in in_plain_words(said)
+
+
+@pytest.mark.parametrize(
+    ("said", "plain"),
+    [
+        ("The gym is short of mats, put in five more.", "add five more mats to the gym."),
+        ("The kitchen could use more mugs. Three more please.", "add Three more mugs to the kitchen."),
+        ("Gym: both screens on, one treadmill less.", "Gym: both screens on, remove one treadmill."),
+        ("Empty the egg and the potatoes out of the kitchen.", "remove the egg and the potatoes from the kitchen."),
+        ("The cans should be gone and replaced by bottles.", "The cans should be replaced by bottles."),
+        ("Movie night in the den! Lamp off.", "Movie night in the den: Lamp off."),
+    ],
+)
+def test_set_phrases_that_would_be_misread_are_put_plainly(said: str, plain: str) -> None:
+    assert without_idioms(said) == plain

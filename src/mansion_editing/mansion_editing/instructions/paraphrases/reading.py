@@ -48,7 +48,8 @@ _SOME_ALREADY: Final = re.compile(r"\balready\b", re.IGNORECASE)
 _FIXING: Final = re.compile(r"(fix|sort|change|mend) (that|it|this)\b", re.IGNORECASE)
 """What is to be put right, which the clause before tells."""
 _STATE_AT_END: Final = re.compile(
-    r"(?:\band|,) (?:the |our |my )?(?!(?:so|from|later|early|move|go|carry)\b)[a-z -]+ (?:on|off|open|closed|shut)[.!]?$",
+    r"(?:\band|,) (?:the |our |my )?(?!(?:so|from|later|early|move|go|carry)\b)[a-z -]+ "
+    r"(?:on|off|open|closed|shut)[.!]?$",
     re.IGNORECASE,
 )
 """A thing and the state that it shall be in, as the last of what notes ask for."""
