@@ -228,3 +228,9 @@ def test_in_place_of_another_number_each_has_so_many(furnished_state: SceneState
     assert read.not_understood == []
     assert there.place.anchor is not None and there.place.anchor.each
     assert (there.things.amount.kind, there.things.amount.number) == ("exactly", 2)
+
+
+def test_more_of_a_general_name_are_of_the_kind_that_is_there(editor: SceneEditor) -> None:
+    assert instruct(editor, "Put a yoga mat in the hall.").done
+    assert instruct(editor, "Add two more mats to the hall.").done
+    assert _left(editor, "yoga_mat", "F1/hall") == 3

@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Ensure, Keep, Mention, Remove, Replace, SetState, Statement
+from mansion_editing.instructions.statements import Clear, Ensure, Keep, Mention, Remove, Replace, SetState, Statement
 from mansion_editing.state import SceneState
 
 
@@ -33,6 +33,18 @@ def test_what_shall_be_gone_after_a_room_is_that_of_the_room(furnished_state: Sc
     (gone,) = _statements(text, furnished_state)
     assert isinstance(gone, Remove) and gone.things.place is not None and gone.things.place.rooms is not None
     assert gone.things.place.rooms.words == "kitchen"
+
+
+def test_what_is_emptied_or_cleared_out_of_a_room_leaves_it(furnished_state: SceneState) -> None:
+    (gone,) = _statements("Empty the plate out of the kitchen.", furnished_state)
+    assert isinstance(gone, Remove) and gone.things.noun == "plate"
+
+
+def test_what_holds_things_is_emptied_where_it_is_cleared_out(furnished_state: SceneState) -> None:
+    (emptied,) = _statements("Clear out the fridge in the kitchen.", furnished_state)
+    assert isinstance(emptied, Clear)
+    (gone,) = _statements("Clear out the fridge from the kitchen.", furnished_state)
+    assert isinstance(gone, Remove)
 
 
 def test_new_things_at_their_place_stay_where_another_thing_goes_out(furnished_state: SceneState) -> None:

@@ -26,6 +26,9 @@ class Removing(Moving):
         wholly = self.text(end) in ("completely", "totally", "entirely")
         if self.text(at) == "clear" and self.text(at + 1) == "out" and wholly and all(i.is_room for i in items):
             return self._cleared_out(at, items, end + 1)
+        holders = all(self.lexicon.encloses(i.phrase.noun.words) for i in items)
+        if (self.text(at), self.text(at + 1)) == ("clear", "out") and holders and not _leaves(items[-1]):
+            return self._clear(at, place)
         if taking and any(p.goal and not p.source for p in items[-1].places):
             return self._move(at, place)
         if self.text(at) == "put" and any(_holds(p.place) for p in items[-1].places if not (p.source or p.relative)):
@@ -70,7 +73,9 @@ class Removing(Moving):
             return it
         comes_from = any(p.source or p.place.relation in ("on", "in") for p in item.places)
         furniture = item.phrase.noun.words == ("furniture",)  # it goes itself: "clear all furniture"
-        if item.phrase.noun.kind == "anything" or furniture or (comes_from and not item.is_room and item.phrase.plural):
+        out_of = any(p.source and self.text(p.start) == "out" for p in items[-1].places) and not item.is_room
+        several = comes_from and not item.is_room and item.phrase.plural
+        if item.phrase.noun.kind == "anything" or furniture or several or out_of:
             return self._remove(at, place)
         if self.text(end) == "of" or (
             item.places and item.places[-1].start and self.words[item.places[-1].start].text == "of"
@@ -172,3 +177,8 @@ def _taken_from(gone: Statement) -> Statement:
         return gone
     place = msgspec.structs.replace(gone.things.place, outside=False, relation="")
     return msgspec.structs.replace(gone, things=msgspec.structs.replace(gone.things, place=place))
+
+
+def _leaves(item: Item) -> bool:
+    """Whether things leave a place: ``the wardrobe from the hall``."""
+    return any(place.source for place in item.places)

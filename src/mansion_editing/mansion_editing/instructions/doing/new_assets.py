@@ -1,12 +1,14 @@
 """Which assets new things are made of, and on which counters small ones come."""
 
 import math
-from collections.abc import Generator
+from collections.abc import Collection, Generator
 
 from mansion_assets.catalogue import Asset
+from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.descriptions import things_of
 from mansion_editing.instructions.meaning.measured import compares
 from mansion_editing.instructions.meaning.nouns import is_among_counters
-from mansion_editing.instructions.statements import Place, Things
+from mansion_editing.instructions.statements import Amount, Place, Things
 from mansion_editing.provisioning.facts import ObjectDescription
 from mansion_editing.provisioning.new_objects import find_assets
 from mansion_editing.runs.policies import Action, Outcome, Unmet
@@ -17,7 +19,7 @@ from mansion_msgs_py.editing.questions import AssetInfo
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point3
 
-__all__ = ["assets_of", "compared", "counters_by"]
+__all__ = ["assets_of", "compared", "counters_by", "like_those_there"]
 
 
 def assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, list[AssetInfo]]:
@@ -36,6 +38,21 @@ def assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, l
         kinds = {asset.category for asset in assets[:1]}
         assets.sort(key=lambda a: (a.category not in kinds, things.material.lower() not in a.material))
     return assets
+
+
+def like_those_there(
+    things: Things, assets: list[AssetInfo], rooms: Collection[str], state: SceneState
+) -> list[AssetInfo]:
+    """Return the assets for ``more mats`` with yoga mats first, where all mats of the rooms are of that kind."""
+    if things.amount.kind != "more" or things.colour or things.material or things.hints:
+        return assets
+    every = Things(noun=things.noun, amount=Amount(kind="all", number=0), definite=True, plural=True)
+    kinds = {item.category for item in things_of(state, every, Context()) if item.room in rooms}
+    if len(kinds) != 1 or assets[0].category in kinds:
+        return assets
+    own = [info for info in assets if info.category in kinds]
+    own = own or [_info_of(asset) for kind in kinds for asset in state.catalogue.by_category(kind)]
+    return [*own, *(info for info in assets if info.category not in kinds)]
 
 
 def _is_dummy(info: AssetInfo, state: SceneState) -> bool:

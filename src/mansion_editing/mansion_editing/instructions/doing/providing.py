@@ -7,7 +7,7 @@ from typing import Any, Final
 
 import msgspec
 
-from mansion_editing.instructions.doing.new_assets import assets_of, compared, counters_by
+from mansion_editing.instructions.doing.new_assets import assets_of, compared, counters_by, like_those_there
 from mansion_editing.instructions.doing.removing import removed
 from mansion_editing.instructions.doing.work import Done, Work, listed, live
 from mansion_editing.instructions.meaning.choices import one_room_each, things_meant
@@ -344,6 +344,7 @@ def place_at(
         Where none does.
     """
     assets = yield from assets_of(things, state)
+    assets = like_those_there(things, assets, {target.room for target in targets}, state)
     if before is not None and any(map(is_comparative, things.hints)):
         assets = compared(things, assets, before, state)
     reasons: list[str] = []
