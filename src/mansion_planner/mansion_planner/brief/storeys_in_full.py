@@ -117,6 +117,9 @@ def _all_on_one(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Toke
             end = noun + 1 if _is_storey(tokens, noun, floor_words) else 0
         if not end or _text(tokens, end) not in _CLAUSES | {""}:
             continue
+        others = {token.text for token in (*tokens[:index], *tokens[end:])}
+        if _text(tokens, end - 2) == "ground" and others.isdisjoint({*floor_words, *_SIDES, *_CELLARS}):
+            continue  # which is all that there is
         first = index - 1
         while first > 0 and tokens[first - 1].text not in _CLAUSES:
             first -= 1
