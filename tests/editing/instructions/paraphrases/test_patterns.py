@@ -81,6 +81,8 @@ def test_what_is_no_free_way_is_not_read_as_one(said: str) -> None:
         ("The gym is short of mats, put in five more.", "add five more mats to the gym."),
         ("The kitchen could use more mugs. Three more please.", "add Three more mugs to the kitchen."),
         ("Gym: both screens on, one treadmill less.", "Gym: both screens on, remove one treadmill."),
+        ("The board in the hall is not needed, replace it by a lamp.", "replace the board in the hall by a lamp."),
+        ("Lunch break! Open the fridge.", "Open the fridge."),
         ("The cans should be gone and replaced by bottles.", "The cans should be replaced by bottles."),
         ("Movie night in the den! Lamp off.", "Movie night in the den: Lamp off."),
     ],

@@ -15,6 +15,8 @@ __all__ = ["with_existing_things"]
 
 _NEW: Final = re.compile(r"\b(a|an|one|1|another|some|new|more|extra|add|bring|get|buy|give|provide|need|want)\b", re.I)
 """What says that a thing is brought, and not the one that is there."""
+_INTO: Final = re.compile(r"\b(into|over to|across to) (the|our|my|[a-z]+)\b", re.I)
+"""What says that a thing goes from somewhere to a room."""
 
 
 def with_existing_things(instruction: Instruction, state: SceneState, context: Context) -> Instruction:
@@ -33,6 +35,8 @@ def _meant(statement: Statement, state: SceneState, context: Context) -> Stateme
     if not isinstance(statement, Add | Ensure) or statement.each or not _is_bare(statement.things, statement.quote):
         return statement
     place = statement.place
+    if place.anchor is None and place.rooms is not None and _INTO.search(statement.quote):
+        return _moved_into(statement, state, context)
     if place.anchor is None or place.anchor.plural or not _is_known(place.anchor, statement.quote):
         return statement
     try:
@@ -46,6 +50,17 @@ def _meant(statement: Statement, state: SceneState, context: Context) -> Stateme
     if len(found) != 1 or is_at(state, found[0], place, context):
         return statement
     return Move(quote=statement.quote, things=things, place=place)
+
+
+def _moved_into(statement: Add | Ensure, state: SceneState, context: Context) -> Statement:
+    """Return ``cart into the corridor`` as a move, where the building has one cart, and that is elsewhere."""
+    things = msgspec.structs.replace(statement.things, definite=True)
+    try:
+        found = things_of(state, things, context)
+        elsewhere = len(found) == 1 and not is_at(state, found[0], statement.place, context)
+    except MansionError:
+        return statement
+    return Move(quote=statement.quote, things=things, place=statement.place) if elsewhere else statement
 
 
 def _is_known(anchor: Things, quote: str) -> bool:

@@ -129,6 +129,9 @@ class Repeating(Progress):
         counted = new or (item.phrase.amount.kind == "some" and words[at].kind == "number" and not item.phrase.definite)
         brought = isinstance(last, SetState) and counted and bool(item.places)
         brought = brought and not self._begins_with_order(last.quote)
+        aimed = any(p.goal and reader.text(p.start) in ("into", "onto", "to") for p in item.places)
+        if isinstance(last, Remove) and aimed and not any(p.source for p in item.places):
+            return None  # after "the can out" the bottle goes into the fridge, and not away
         if brought or (new and isinstance(last, Remove)):
             return None  # a desk after "the rugs go" does not go, two mugs after "TV on" take no state
         things = item.things()
