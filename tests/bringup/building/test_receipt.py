@@ -112,6 +112,14 @@ def test_storeys_that_repeat_each_other_are_copies() -> None:
     assert receipt([asked], plan, scenes())[0].status == "met"
 
 
+def test_storeys_that_repeat_copies_are_copies_of_the_first() -> None:
+    asked = wish("copy", WishValue(), Scope(floors=[2, 3]))
+    plan = program([asked])
+    second = msgspec.structs.replace(plan.floors[1], copy=1)
+    plan.floors[1:] = [second, msgspec.structs.replace(second, index=3, copy=2)]
+    assert receipt([asked], plan, scenes())[0].status == "met"
+
+
 def test_a_plan_knows_the_ceilings_that_its_storeys_will_have() -> None:
     plan = program([wish("height", WishValue(height=2.75)), wish("height", WishValue(height=3.0))])
     assert [found.status for found in receipt_of_plan(plan, [])] == ["met", "not_met"]

@@ -104,9 +104,17 @@ def _use(wish: Wish, state: JudgedBuilding) -> Verdict:
     return met_if(ok, f"storey {listed(missing)} has another use", partly=0 < len(missing) < len(wish.scope.floors))
 
 
+def _original(index: int, state: JudgedBuilding) -> int:
+    """Return the storey that one repeats, through those that repeat another themselves."""
+    copies = {floor.index: floor.copy for floor in state.program.floors}
+    while (earlier := copies.get(index)) is not None:
+        index = earlier
+    return index
+
+
 def _copy(wish: Wish, state: JudgedBuilding) -> Verdict:
     group = [floor for floor in state.program.floors if floor.index in wish.scope.floors]
-    originals = {floor.index if floor.copy is None else floor.copy for floor in group}
+    originals = {_original(floor.index, state) for floor in group}
     if len(group) < 2:
         return Verdict("not_met", "there are not two such storeys")
     return met_if(len(originals) == 1, "the storeys differ", partly=len(originals) < len(group))

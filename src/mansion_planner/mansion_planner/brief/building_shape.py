@@ -171,6 +171,8 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             continue
         if reading.word(index + 1) in ("time", "building", "room", "walls"):
             continue
+        if token.text in ("same", "equal") and reading.kind(index + 1) == "number":
+            continue  # "the same 400 m2 on each"
         if token.text == "mirror" and (token.plural or reading.word(index - 1) in _LEADS_TO_THING):
             continue  # "a piano and a mirror"
         if token.text == "same" and reading.words(index + 1, index + 3) in (

@@ -46,7 +46,7 @@ def is_of_storey(reading: Reading, measure: Measure) -> bool:
         return "plate" in after
     if not _PLATE.isdisjoint(after) or not _PLATE.isdisjoint(before) or _is_per_storey(after):
         return True
-    if tuple(after[:2]) in (("on", "each"), ("to", "each"), ("for", "each"), ("on", "every")) and not after[2:3]:
+    if tuple(after[:2]) in _ON_EACH and not after[2:3]:
         return bool(reading.facts.floors)
     if measure.sides:
         return True
@@ -54,6 +54,7 @@ def is_of_storey(reading: Reading, measure: Measure) -> bool:
     return near and _is_of_storeys_before(reading, measure, before, after)
 
 
+_ON_EACH = (("on", "each"), ("to", "each"), ("for", "each"), ("on", "every"), ("on", "either"), ("on", "both"))
 _ABOVE_AND_BELOW = frozenset({"below", "above", "downstair", "upstair", "downstairs", "upstairs"})
 
 
@@ -84,7 +85,7 @@ def _is_of_storeys_before(reading: Reading, measure: Measure, before: list[str],
     index -= reading.word(index) == "each"
     while apiece and reading.word(index) in ("of", "with", "at", "having"):
         index -= 1
-    if reading.word(index) == "," and apiece:
+    if reading.word(index) in (",", "/") and apiece:
         index -= 1
     index -= apiece and reading.word(index) in ("ground", "grade") and reading.word(index - 1) == "above"
     index -= apiece and reading.word(index) in ("above", "over", "up")  # "three floors above, of 600 m2 each"

@@ -163,7 +163,7 @@ _SHORT: Final = {
     "sth": "something", "centre": "middle", "center": "middle", "storey": "floor", "story": "floor", "level": "floor",
     "upon": "on", "onto": "onto",
     "meter": "metre", "lift": "elevator", "kid": "child", "fl": "floor", "goes": "go",
-    "teh": "the", "frm": "from", "ad": "add", "adn": "and", "taht": "that", "hte": "the",
+    "teh": "the", "frm": "from", "ad": "add", "al": "all", "adn": "and", "taht": "that", "hte": "the",
     **dict.fromkeys(
         "dont doesnt shouldnt isnt arent cant wont mustnt didnt hasn hasnt haven havent hadn wouldn couldn needn"
         " neednt shouldn mustn".split(),
