@@ -31,7 +31,7 @@ from mansion_planner.brief.rooms_by_person import rooms_by_person
 from mansion_planner.brief.rooms_by_sex import rooms_by_sex
 from mansion_planner.brief.seated_people import seated_people
 from mansion_planner.brief.shortened_nouns import flat_types, shortened_nouns
-from mansion_planner.brief.single_floors import single_flats, single_floors
+from mansion_planner.brief.single_floors import single_flats, single_floors, single_units
 from mansion_planner.brief.spelling import corrected, without_slips
 from mansion_planner.brief.spoken_turns import spoken_turns
 from mansion_planner.brief.stacked_flats import stacked_flats
@@ -254,7 +254,8 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = stacked_flats(relative_areas(tokens), FLOOR_WORDS)
     tokens = activities(tokens)
     tokens = counted_compounds(
-        single_floors(single_flats(tokens), BUILDING_HEADS | lexicon.building_heads), lexicon.building_heads
+        single_floors(single_flats(single_units(tokens)), BUILDING_HEADS | lexicon.building_heads),
+        lexicon.building_heads,
     )
     tokens = seated_people(garages(tokens, lexicon.building_heads))
     tokens = capacities(owned_by_each(upward_ranges(tokens, FLOOR_WORDS)), lexicon.heads)

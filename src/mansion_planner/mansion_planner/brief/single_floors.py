@@ -1,4 +1,4 @@
-"""Read what is all of a building: "an office floor of 400 m2", "a ground-floor flat with a patio"."""
+"""Read what is all of a building: "an office floor of 400 m2", a ground-floor flat, "a cafe in a ground-floor unit"."""
 
 from dataclasses import replace
 from typing import Final
@@ -6,7 +6,7 @@ from typing import Final
 from mansion_language import Token
 from mansion_planner.brief.counted_compounds import NAME_ENDS
 
-__all__ = ["single_flats", "single_floors"]
+__all__ = ["single_flats", "single_floors", "single_units"]
 
 _OPENERS: Final = frozenset({"a", "an", "one", "single", "entire", "whole", "the"})
 _BEFORE: Final = frozenset("design build make create generate plan give me i we want need please us would like".split())
@@ -73,3 +73,25 @@ def single_flats(tokens: list[Token]) -> list[Token]:
     single = end < len(tokens) and tokens[end].text in _FLATS and not tokens[end].plural
     alone = _OTHERS.isdisjoint(token.text for token in tokens[end + 1 :])
     return [*tokens[:at], *tokens[end:]] if single and alone and end > at else tokens
+
+
+_UNITS: Final = frozenset({"unit", "premises"})
+_ELSEWHERE: Final = _FLOORS | frozenset(
+    {"upstairs", "upstair", "basement", "cellar", "above", "below", "mezzanine", "flat", "apartment", "house"}
+)
+"""Words of storeys or homes beside a unit, which is then one part of several."""
+
+
+def single_units(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with the part of a building that a business lies in as one storey: "a ground-floor unit"."""
+    for at in range(1, len(tokens) - 2):
+        floor, unit = tokens[at + 1], tokens[at + 2]
+        if tokens[at].text not in ("ground", "street") or floor.text not in _FLOORS or unit.text not in _UNITS:
+            continue
+        others = {token.text for token in (*tokens[:at], *tokens[at + 3 :])}
+        if (unit.plural and unit.text == "unit") or not others.isdisjoint(_ELSEWHERE):
+            return tokens
+        first = at - (tokens[at - 1].text in ("a", "an", "one", "the", "our", "my"))
+        one = Token("number", "one", tokens[at].start, tokens[at].end, value=1.0)
+        return [*tokens[:first], one, replace(floor, text="storey", end=unit.end, spaced=False), *tokens[at + 3 :]]
+    return tokens

@@ -97,8 +97,9 @@ GRAMMAR = frozenset(
 
 
 _SHORT = {
-    "rm": "room", "bedrm": "bedroom", "bdrm": "bedroom", "bedr": "bedroom", "bathrm": "bathroom", "apt": "apartment", "flr": "floor",
-    "bldg": "building", "bsmt": "basement", "mtg": "meeting", "sep": "separate", "ofc": "office", "kit": "kitchen",
+    "rm": "room", "bedrm": "bedroom", "bdrm": "bedroom", "bedr": "bedroom", "bathrm": "bathroom", "apt": "apartment",
+    "flr": "floor", "bldg": "building", "bsmt": "basement", "mtg": "meeting", "sep": "separate", "ofc": "office",
+    "kit": "kitchen",
 }  # fmt: skip
 """Short forms in notes, and what they stand for."""
 
@@ -139,7 +140,10 @@ def corrected(tokens: list[Token], words: frozenset[str], known: frozenset[str] 
             continue
         if token.text.endswith("room") and token.text not in words and token.text[:-4] in words:
             end = token.end - len("room") - token.plural
-            result += [replace(token, text=token.text[:-4], end=end, plural=False), replace(token, text="room", start=end)]
+            result += [
+                replace(token, text=token.text[:-4], end=end, plural=False),
+                replace(token, text="room", start=end),
+            ]
             continue  # "livingroom"
         if token.kind != "word" or len(token.text) < 4 or len(token.text) > 20:
             result.append(token)
