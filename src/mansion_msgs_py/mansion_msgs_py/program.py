@@ -5,6 +5,7 @@ from typing import Annotated, Final, Literal, TypeAlias
 import msgspec
 
 from mansion_msgs_py.openings import GivenOpenings
+from mansion_msgs_py.outside import Outside
 from mansion_msgs_py.shapes import Area, BuildingId, CompassSide, Elevation, Identifier, Length, Point, Ring, Segment
 from mansion_msgs_py.wishes import Wish
 
@@ -197,6 +198,8 @@ class BuildingProgram(msgspec.Struct, frozen=True, kw_only=True):
         In the words of the brief where it has some, else the kind of the knowledge base.
     planned_like : str
         The kind of the knowledge base where `building_type` is called otherwise there; else empty.
+    outside : Outside, optional
+        Walls, roof and grounds as far as the brief decides them.
     """
 
     building_id: BuildingId
@@ -207,6 +210,7 @@ class BuildingProgram(msgspec.Struct, frozen=True, kw_only=True):
     building_type: str = ""
     planned_like: str = ""
     style: str = ""
+    outside: Outside | msgspec.UnsetType = msgspec.UNSET
     seed: int = 0
     trace: list[TraceEntry] = []
     downgrades: list[Downgrade] = []

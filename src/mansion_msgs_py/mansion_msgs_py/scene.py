@@ -6,6 +6,7 @@ import msgspec
 
 from mansion_msgs_py.limits import MAX_OBJECTS, MAX_ROOMS
 from mansion_msgs_py.openings import DoorKind
+from mansion_msgs_py.outside import GroundArea, Outside
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.shapes import (
     Area,
@@ -361,6 +362,10 @@ class FloorScene(msgspec.Struct, frozen=True, kw_only=True):
         What the building is, ``office``.
     called : str, optional
         What the brief calls it, where that is no such type; pictures and signs have that, else the type.
+    outside : Outside, optional
+        Walls, roof and grounds as far as the brief decides them.
+    grounds : list of GroundArea, optional
+        Parts of the plot that the brief asks for; of the ground floor alone.
     downgrades : list of Downgrade
         Openings that differ from what the room graph asked, and why.
     sources : dict of str to str
@@ -394,6 +399,8 @@ class FloorScene(msgspec.Struct, frozen=True, kw_only=True):
     building_type: str = ""
     called: str | msgspec.UnsetType = msgspec.UNSET
     style: str = ""
+    outside: Outside | msgspec.UnsetType = msgspec.UNSET
+    grounds: list[GroundArea] | msgspec.UnsetType = msgspec.UNSET
     seed: int = 0
     sources: dict[str, str] = {}
     llm: LlmUsage | None = None

@@ -7,6 +7,7 @@ import msgspec
 
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.outside import Outside
 from mansion_msgs_py.program import BuildingProgram, FloorProgram, VerticalConnectivity
 from mansion_msgs_py.request import BuildRequest, Libraries
 from mansion_msgs_py.shapes import BuildingId, PathText
@@ -60,6 +61,8 @@ class FurnishRequest(msgspec.Struct, frozen=True, kw_only=True):
         All floor numbers of the building, ascending; the cores serve them.
     called : str, optional
         What the brief calls the building, where that is no type of the knowledge base.
+    outside : Outside, optional
+        Walls, roof and grounds as far as the brief decides them.
     planner : {"rules", "llm"}
         Who chooses the furniture; a model is told the building's `description`.
     assets : tuple of str, optional
@@ -76,6 +79,7 @@ class FurnishRequest(msgspec.Struct, frozen=True, kw_only=True):
     building_type: str = ""
     called: str | msgspec.UnsetType = msgspec.UNSET
     style: str = ""
+    outside: Outside | msgspec.UnsetType = msgspec.UNSET
     seed: int = 0
     planner: Literal["rules", "llm"] = "rules"
     description: str = ""

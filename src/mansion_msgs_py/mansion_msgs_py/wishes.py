@@ -34,6 +34,9 @@ WishKind: TypeAlias = Literal[
     "no_object",
     "height",
     "material",
+    "facade",
+    "roof",
+    "grounds",
     "clutter",
     "occupants",
     "only",
@@ -50,9 +53,10 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     Attributes
     ----------
     name : str
-        Name of the room, the building type, the style, the outline or the material, in snake case.
+        Name of the room, the building type, the style, the outline, the material, the form of the roof (empty where
+        only its covering is stated) or the use of a part of the plot, in snake case.
     type : str
-        Room type or asset category that stands for `name`; empty where nothing does.
+        Room type or asset category that stands for `name`; empty where nothing does. Of a roof, what covers it.
     other : str
         The second room of a relation.
     count : int, optional

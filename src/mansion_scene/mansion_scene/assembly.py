@@ -7,11 +7,14 @@ import msgspec
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.late_imports import importing
+from mansion_msgs_py.outside import GroundArea
+from mansion_msgs_py.program import GROUND_FLOOR
 from mansion_msgs_py.scene import Discard, FloorScene, Light, SceneObject
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_scene.lighting import choose_sky, room_lights, sun
 from mansion_scene.spawn import place_spawn
 from mansion_scene.structure import FloorStructure, build_structure
+from mansion_scene.structure.grounds import ground_areas
 from mansion_scene.structure.regions import ring_points
 
 if TYPE_CHECKING:
@@ -114,6 +117,15 @@ def _contents(
     return objects, discarded
 
 
+def _grounds(request: FurnishRequest, structure: FloorStructure) -> list[GroundArea] | msgspec.UnsetType:
+    """Return the parts of the plot that the brief asks for; not set on other floors, and where it asks for none."""
+    outside = request.outside
+    if isinstance(outside, msgspec.UnsetType) or request.floor.index != GROUND_FLOOR:
+        return msgspec.UNSET
+    areas = ground_areas(outside.grounds, structure.floor.outline, structure.doors, request.building_type)
+    return areas or msgspec.UNSET
+
+
 def _scene(
     request: FurnishRequest, structure: FloorStructure, objects: list[SceneObject], discarded: list[Discard]
 ) -> FloorScene:
@@ -148,6 +160,8 @@ def _scene(
         building_type=request.building_type,
         called=request.called,
         style=request.style,
+        outside=request.outside,
+        grounds=_grounds(request, structure),
         seed=request.seed,
     )
     _require_unique_ids(scene)

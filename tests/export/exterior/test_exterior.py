@@ -12,6 +12,7 @@ from mansion_export.exterior.lettering import lettering
 from mansion_export.exterior.roofs import covering_rectangles
 from mansion_export.meshes.building_model import building_models
 from mansion_export.meshes.model import Model, Node
+from mansion_msgs_py.outside import GroundArea, Outside
 from mansion_msgs_py.scene import FloorScene
 
 
@@ -150,3 +151,42 @@ def test_rectangles_cover_a_plan_of_right_angles_and_nothing_else(corners: list[
 def test_a_plan_that_is_no_sum_of_rectangles_has_none() -> None:
     assert covering_rectangles(Polygon([(0, 0), (5, 0), (3, 4)])) == []
     assert covering_rectangles(box(0, 0, 9, 9).difference(box(3, 3, 6, 6))) == []
+
+
+def with_outside(scenes: list[FloorScene], outside: Outside, grounds: list[GroundArea]) -> list[FloorScene]:
+    return [
+        msgspec.structs.replace(scene, outside=outside, grounds=grounds if scene.floor == 1 else msgspec.UNSET)
+        for scene in scenes
+    ]
+
+
+def test_a_roof_is_as_the_brief_has_it_whatever_the_type(storeys: list[FloorScene]) -> None:
+    def materials(models: list[Model]) -> set[str]:
+        (roof,) = [node for model in models for node in model.nodes if node.id.endswith("/roof")]
+        (mesh,) = [model.meshes[roof.mesh] for model in models if roof in model.nodes]
+        return {surface.material.name for surface in mesh.surfaces}
+
+    pitched = building_models(with_outside(as_type(storeys, "office"), Outside(roof="hip", covering="thatch"), []))
+    assert ridge(pitched) > 1.5 and "thatch" in materials(pitched)
+    planted = building_models(with_outside(as_type(storeys, "house"), Outside(roof="flat", covering="lawn"), []))
+    assert ridge(planted) < 1.0 and "lawn" in materials(planted)
+
+
+def test_the_plot_shows_what_the_brief_lays_on_it_and_grows_to_hold_it(storeys: list[FloorScene]) -> None:
+    x0, y0, x1, y1 = Polygon(storeys[0].outline).bounds
+    grounds = [
+        GroundArea(use="garden", polygon=list(box(x1 + 3, y0, x1 + 15, y1 + 6).exterior.coords)[:4]),
+        GroundArea(use="pool", polygon=list(box(x1 + 6, y0 + 3, x1 + 10, y0 + 11).exterior.coords)[:4]),
+        GroundArea(use="parking", polygon=list(box(x0 - 19, y0, x0 - 3, y0 + 10).exterior.coords)[:4], count=7),
+    ]
+    scenes = with_outside(as_type(storeys, "house"), Outside(), grounds)
+    models = building_models(scenes)
+    site = {node.id: points for node, points in of_group(models, "site")}
+    lawn = site["F1/plot/lawn"]
+    assert lawn[:, 0].max() > x1 + 15 and lawn[:, 0].min() < x0 - 19
+    water = site["F1/plot/pool_2_water"]
+    assert water[:, 0].min() == pytest.approx(x1 + 6) and water[:, 1].max() == pytest.approx(y0 + 11)
+    asphalt = site["F1/plot/parking_3_surface"]
+    assert np.ptp(asphalt[:, 0]) == pytest.approx(16.0)
+    lines = {round(float(x), 2) for x in site["F1/plot/parking_3_bays"][:, 0]}
+    assert min(lines) < x0 - 18 and max(lines) > x0 - 4  # a row on either side of the way

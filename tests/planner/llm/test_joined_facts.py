@@ -33,7 +33,10 @@ def stated(architect: ModuleType, brief: str, wishes: list[Wish]) -> StatementFa
     return facts_of_statements(msgspec.convert(answer, ReadingAnswer), brief, KNOWLEDGE)
 
 
-@pytest.mark.parametrize("brief", FEASIBLE[::3])
+OUTSIDE = "A white villa with a slate hip roof, a garden with a pool and parking for 4 cars"
+
+
+@pytest.mark.parametrize("brief", [*FEASIBLE[::3], OUTSIDE])
 def test_a_model_that_states_what_the_rules_read_fills_the_same_ledger(architect: ModuleType, brief: str) -> None:
     rules = read_brief(brief, KNOWLEDGE)
     wishes = ledger(brief, rules)

@@ -96,6 +96,31 @@ def _style(wish: Wish, state: JudgedBuilding) -> Verdict:
     return met_if(state.program.style == wish.value.name, f"the style is {spoken(state.program.style)}")
 
 
+def _facade(wish: Wish, state: JudgedBuilding) -> Verdict:
+    have = state.outside.facade
+    return met_if(have == wish.value.name, f"the outer walls are {spoken(have)} all round")
+
+
+def _roof(wish: Wish, state: JudgedBuilding) -> Verdict:
+    """Judge a roof by what was decided of it; outlines that are no upright rectangles get flat ones."""
+    outside, value = state.outside, wish.value
+    if outside.roof not in ("", "flat") and not state.upright:
+        return Verdict("not_met", "the roof is flat: the outline is not of right angles")
+    form, covering = value.name in ("", outside.roof), value.type in ("", outside.covering)
+    if form and covering:
+        return Verdict("met")
+    reason = f"the roof is {spoken(outside.roof)}" if not form else f"it is covered with {spoken(outside.covering)}"
+    return Verdict("partly" if form and value.name else "not_met", reason)
+
+
+def _grounds(wish: Wish, state: JudgedBuilding) -> Verdict:
+    found = next((entry for entry in state.outside.grounds if entry.use == wish.value.name), None)
+    if found is None:
+        return Verdict("not_met", "nothing of the kind is on the plot")
+    enough = wish.value.count is None or found.count >= wish.value.count
+    return met_if(enough, f"there are {found.count} places", partly=True)
+
+
 def _use(wish: Wish, state: JudgedBuilding) -> Verdict:
     words = rf"\b{re.escape(spoken(wish.value.name))}\b"
     uses = {floor.index: floor.requirement.split(":")[0] for floor in state.program.floors}
@@ -157,6 +182,9 @@ BUILDING_JUDGES: Final[Mapping[str, Judge]] = {
     "floor_area": _floor_area,
     "outline": _outline,
     "style": _style,
+    "facade": _facade,
+    "roof": _roof,
+    "grounds": _grounds,
     "use": _use,
     "copy": _copy,
     "stair": _core,

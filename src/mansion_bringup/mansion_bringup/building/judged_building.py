@@ -9,6 +9,7 @@ from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import TypeAlias
 
+import msgspec
 import networkx as nx
 import numpy as np
 import shapely
@@ -20,6 +21,7 @@ from mansion_knowledge import is_class
 from mansion_knowledge.essentials import Need, needs_of, pieces_there, still_wanted
 from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import added_for
+from mansion_msgs_py.outside import Outside
 from mansion_msgs_py.program import GROUND_FLOOR, BuildingProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.topology import FloorTopology
@@ -156,6 +158,19 @@ class JudgedBuilding:
         if not hubs:
             return []
         return [room for room in self.rooms if room.full_id in here - reached and room is not owner]
+
+    @property
+    def outside(self) -> Outside:
+        """What was decided of walls, roof and grounds; empty where the brief says nothing of them."""
+        outside = self.program.outside
+        return Outside() if isinstance(outside, msgspec.UnsetType) else outside
+
+    @property
+    def upright(self) -> bool:
+        """Whether the highest storey has sides along the axes and no courtyard, so that any roof fits over it."""
+        top = self.program.floors[-1]
+        sides = pairwise([*top.outline, top.outline[0]])
+        return not top.holes and all(min(abs(bx - ax), abs(by - ay)) < 1e-3 for (ax, ay), (bx, by) in sides)
 
     @cached_property
     def private(self) -> frozenset[str]:

@@ -136,6 +136,15 @@ def _height(wish: Wish) -> str:
     return f"ceiling height {wish.value.height:.3g} m" if wish.value.height is not None else ""
 
 
+def _roof(wish: Wish) -> str:
+    return "roof: " + ", ".join(_spaced(part) for part in (wish.value.name, wish.value.type) if part)
+
+
+def _on_plot(wish: Wish) -> str:
+    places = f", {counted(wish.value.count, 'place')}" if wish.value.count is not None else ""
+    return f"on the plot: {wish.value.name}{places}"
+
+
 def _clutter(wish: Wish) -> str:
     return "many small things" if wish.value.name == "dense" else "few small things"
 
@@ -166,6 +175,9 @@ _WORDS: Final[Mapping[WishKind, Callable[[Wish], str]]] = {
     "no_object": _absent,
     "height": _height,
     "material": _named("material"),
+    "facade": _named("outer walls"),
+    "roof": _roof,
+    "grounds": _on_plot,
     "clutter": _clutter,
     "occupants": _occupants,
     "only": lambda _: "nothing else",

@@ -15,6 +15,7 @@ from mansion_msgs_py.shapes import Point, Ring, Segment
 __all__ = [
     "along",
     "free_region",
+    "is_upright",
     "net_area",
     "outline_forms",
     "room_area",
@@ -37,6 +38,11 @@ def net_area(room: SceneRoom) -> Polygon:
 def free_region(outline: Ring, holes: Sequence[Ring], cores: Sequence[Ring]) -> BaseGeometry:
     """The floor less courtyards and cores."""
     return Polygon(outline, holes).difference(unary_union([Polygon(core) for core in cores]))
+
+
+def is_upright(ring: Ring) -> bool:
+    """Whether all sides of an outline run along the axes, to a millimetre."""
+    return all(min(abs(bx - ax), abs(by - ay)) < 1e-3 for (ax, ay), (bx, by) in pairwise([*ring, ring[0]]))
 
 
 def vertical(item: SceneObject) -> tuple[float, float]:

@@ -9,12 +9,13 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from statistics import median_high
 
+import msgspec
 from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.finished_building import FinishedBuilding, Judge, is_on, labels_of
 from mansion_bringup.check.interior_wishes import INTERIOR_JUDGES
-from mansion_bringup.check.shapes import outline_forms, shared_wall
+from mansion_bringup.check.shapes import is_upright, outline_forms, shared_wall
 from mansion_knowledge import default_knowledge, is_class
 from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
@@ -23,6 +24,7 @@ from mansion_knowledge.places import places_of, use_of
 from mansion_knowledge.room_kinds import is_one_of
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.outside import Outside
 from mansion_msgs_py.program import GROUND_FLOOR
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.wishes import AREA_TOLERANCE, MOST_WORDS, Wish, WishValue
@@ -38,6 +40,9 @@ LEAST_TOLERANCE = 0.25
 
 NEIGHBOURS = 1.1
 """Metres of straight wall that rooms side by side share: a door and a little on either side."""
+
+LEAST_BAY = 2.3 * 4.8
+"""Least area of a place to park, square metres."""
 
 PERSON = 2.0
 """Least area of rooms that one person needs, square metres."""
@@ -177,6 +182,42 @@ def _outline(wish: Wish, finished: FinishedBuilding) -> str:
 def _style(wish: Wish, finished: FinishedBuilding) -> str:
     styles = {scene.style for scene in finished.scenes}
     return "" if styles == {wish.value.name} else f"its style is {', '.join(sorted(styles))}"
+
+
+def _facade(wish: Wish, finished: FinishedBuilding) -> str:
+    walls = [wall for scene in finished.scenes for wall in scene.walls if wall.exterior]
+    others = {wall.right_material for wall in walls if wall.right_material} - {wish.value.name}
+    return f"its outer walls are {', '.join(sorted(others))}" if others or not walls else ""
+
+
+def _roof(wish: Wish, finished: FinishedBuilding) -> str:
+    top = max(finished.scenes, key=lambda scene: scene.floor)
+    outside = Outside() if isinstance(top.outside, msgspec.UnsetType) else top.outside
+    if wish.value.name not in ("", outside.roof) or wish.value.type not in ("", outside.covering):
+        return f"its roof is {outside.roof or 'another'}, {outside.covering or 'not covered so'}"
+    sloped = outside.roof not in ("", "flat")
+    fits = is_upright(top.outline) and not top.holes
+    return "no pitched roof fits its outline" if sloped and not fits else ""
+
+
+def _grounds(wish: Wish, finished: FinishedBuilding) -> str:
+    ground = next((scene for scene in finished.scenes if scene.floor == GROUND_FLOOR), finished.scenes[0])
+    if wish.value.name in ("hedge", "fence"):
+        outside = Outside() if isinstance(ground.outside, msgspec.UnsetType) else ground.outside
+        return "" if wish.value.name in {entry.use for entry in outside.grounds} else "its plot has none"
+    areas = [] if isinstance(ground.grounds, msgspec.UnsetType) else ground.grounds
+    found = [area for area in areas if area.use == wish.value.name]
+    if not found:
+        return "its plot has none"
+    building = Polygon(ground.outline)
+    for area in found:
+        shape = Polygon(area.polygon)
+        if shape.intersection(building).area > 0.01:
+            return f"its {area.use} lies under the building"
+        if shape.area < area.count * LEAST_BAY:
+            return f"its {area.use} of {shape.area:.0f} m2 is too small for {area.count} cars"
+    places = sum(area.count for area in found)
+    return f"its plot has {places} places" if places < (wish.value.count or 0) else ""
 
 
 def _use(wish: Wish, finished: FinishedBuilding) -> str:
@@ -442,6 +483,9 @@ _JUDGES: Mapping[str, Judge] = {
     "floor_area": _floor_area,
     "outline": _outline,
     "style": _style,
+    "facade": _facade,
+    "roof": _roof,
+    "grounds": _grounds,
     "use": _use,
     "copy": _copy,
     "stair": _core,

@@ -94,6 +94,7 @@ def furnish(
         building_type=program.kind,
         called=program.building_type if program.planned_like else msgspec.UNSET,
         style=program.style,
+        outside=program.outside,
         seed=program.seed,
         planner="llm" if plan.llm is not None else "rules",
         description=program.description if plan.llm is not None else "",

@@ -99,6 +99,7 @@ def _request(storey: Storey) -> FurnishRequest:
         layout=storey.layout,
         building_type=program.kind,
         style=program.style,
+        outside=program.outside,
         seed=program.seed,
     )
 

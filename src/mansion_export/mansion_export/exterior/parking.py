@@ -11,14 +11,14 @@ from shapely.geometry.base import BaseGeometry
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_export.meshes.asset_surfaces import asset_surfaces
-from mansion_export.meshes.model import Node, Part
+from mansion_export.meshes.materials import named
+from mansion_export.meshes.model import Node, Part, Surface
+from mansion_export.meshes.solids import Box, boxes_surface
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.shapes import Point
+from mansion_scene.structure.grounds import BAY
 
-__all__ = ["BAY", "Bay", "bays", "parked_cars"]
-
-BAY: Final = (2.5, 5.0)
-"""Width and length of a place to park, metres."""
+__all__ = ["Bay", "bay_lines", "bays", "parked_cars"]
 
 TAKEN: Final = 0.45
 """Share of the places with a car."""
@@ -52,6 +52,16 @@ def bays(parking: BaseGeometry) -> list[Bay]:
             if part.buffer(1e-3).covers(box(x - width / 2, y - length / 2, x + width / 2, y + length / 2)):
                 found.append(Bay(x, y, 90.0 if upright else 0.0))
     return found
+
+
+def bay_lines(parking: BaseGeometry, ground: float) -> Surface:
+    """Return white lines between places to park."""
+    boxes = []
+    for bay in bays(parking):
+        for side in (-1, 1):
+            x, y = bay.beside(side * BAY[0] / 2)
+            boxes.append(Box((x, y, ground + 0.025), (0.1, BAY[1], 0.01), bay.heading))
+    return boxes_surface(boxes, named("signal_white"))
 
 
 def parked_cars(parking: BaseGeometry, seed: int, ground: float, prefix: str) -> Iterator[Part]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Final
 
+import msgspec
 import numpy as np
 import shapely
 from shapely.geometry import Polygon, box
@@ -18,6 +19,7 @@ from mansion_export.meshes.model import Material, Node, Part, Surface
 from mansion_export.meshes.solids import polygon_surface
 from mansion_geometry.randomness import item_generator
 from mansion_knowledge import default_knowledge, is_class
+from mansion_msgs_py.outside import Outside
 from mansion_msgs_py.scene import FloorScene
 from mansion_scene.structure.materials import facade_of
 
@@ -46,7 +48,7 @@ HIGHEST: Final = 4.5
 """Greatest height of a ridge over the eaves, metres: wide roofs are flatter."""
 
 WIDEST: Final = 18.0
-"""Span up to which roofs are pitched, metres."""
+"""Span up to which roofs are pitched where the brief does not ask for one, metres."""
 
 _HALF_WALL: Final = 0.06
 """From a room's polygon to the outer face of the wall towards a terrace, metres."""
@@ -74,7 +76,8 @@ def roof_parts(scene: FloorScene, slab: Polygon, above: BaseGeometry | None) -> 
     form = _form(scene) if above is None else "flat"
     roofed = slab.difference(terraces).buffer(-0.05, join_style="mitre").buffer(0.05, join_style="mitre")
     rectangles = covering_rectangles(roofed) if form != "flat" else []
-    if not rectangles or max(min(x1 - x0, y1 - y0) for x0, y0, x1, y1 in rectangles) > WIDEST:
+    widest = max((min(x1 - x0, y1 - y0) for x0, y0, x1, y1 in rectangles), default=0.0)
+    if not rectangles or (widest > WIDEST and not _wanted(scene).roof):
         yield Node(name, name, "ceiling"), _flat(open_air, top, scene)
         return
     covering = named(_covering(scene))
@@ -96,27 +99,36 @@ def _open_terraces(scene: FloorScene) -> BaseGeometry:
     return reach.difference(shapely.union_all(indoors).buffer(_HALF_WALL, join_style="mitre"))
 
 
+def _wanted(scene: FloorScene) -> Outside:
+    return Outside() if isinstance(scene.outside, msgspec.UnsetType) else scene.outside
+
+
 def _form(scene: FloorScene) -> str:
-    """Return ``gable``, ``hip`` or ``flat``, as its type and style have it."""
+    """Return ``gable``, ``hip`` or ``flat``, as the brief has it, else as its type and style do."""
+    wanted = _wanted(scene).roof
+    if wanted:
+        return wanted
     forms = default_knowledge().groups.roofs_of(scene.building_type, scene.style)
     return forms[int(item_generator(scene.seed, "roof").integers(len(forms)))]
 
 
 def _covering(scene: FloorScene) -> str:
-    """Return the material of a pitched roof: clay on warm walls, slate on others, by chance else."""
+    """Return the material of a pitched roof: that of the brief, else by chance."""
+    if _wanted(scene).covering:
+        return _wanted(scene).covering
     choices = ("clay_roof_tiles", "brown_roof_tiles", "slate_roof")
     return choices[int(item_generator(scene.seed, "roof covering").integers(len(choices)))]
 
 
 def _flat(shape: BaseGeometry, top: float, scene: FloorScene) -> list[Surface]:
-    """Return a flat roof: gravel within a parapet that is covered with metal, and the plant of large buildings."""
+    """Return a flat roof: gravel, or what the brief covers it with, within a parapet of metal, and the plant on it."""
     ring = shape.difference(shape.buffer(-0.2, join_style="mitre"))
     proud = shape.buffer(COPING[1], join_style="mitre")
     coping = proud.difference(shape.buffer(-0.2 - COPING[1], join_style="mitre"))
     edge = top + SLAB + PARAPET
     return [
         *_prisms(shape, top, top + SLAB - 0.03, named("polished_concrete")),
-        *_prisms(shape, top + SLAB - 0.03, top + SLAB, named("roof_gravel")),
+        *_prisms(shape, top + SLAB - 0.03, top + SLAB, named(_wanted(scene).covering or "roof_gravel")),
         *_prisms(ring, top + SLAB, edge, surface_material(facade_of(scene), "wall")),
         *_prisms(coping, edge, edge + COPING[0], named("metal_panels")),
         *roof_plant(shape, top + SLAB, scene),

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
+from mansion_msgs_py.outside import GroundUse
 from mansion_msgs_py.program import Clutter
 
 __all__ = [
@@ -13,6 +14,8 @@ __all__ = [
     "HeightFact",
     "MaterialFact",
     "ObjectFact",
+    "OutsideFact",
+    "OutsidePart",
     "OccupantFact",
     "Quantity",
     "RoomFact",
@@ -22,6 +25,9 @@ __all__ = [
 ]
 
 Shape: TypeAlias = Literal["rectangle", "square", "L", "U", "T", "H", "courtyard"]
+
+
+OutsidePart: TypeAlias = Literal["facade", "roof", "grounds"]
 
 
 @dataclass(frozen=True)
@@ -243,6 +249,31 @@ class MaterialFact:
 
 
 @dataclass(frozen=True)
+class OutsideFact:
+    """What the outside is to be: the material of the walls, the roof, or a part of the plot.
+
+    Attributes
+    ----------
+    part : {"facade", "roof", "grounds"}
+    name : str
+        Material of the walls, or form of the roof (empty where only its covering is stated).
+    covering : str
+        Material of the roof; empty where only its form is stated.
+    count : int
+        Number of places to park; 0 where none is stated.
+    use : GroundUse, optional
+        What a part of the plot is for.
+    """
+
+    part: OutsidePart
+    name: str
+    span: Span
+    covering: str = ""
+    count: int = 0
+    use: GroundUse | None = None
+
+
+@dataclass(frozen=True)
 class ClutterFact:
     """Fewer or more things than usual in the rooms of a type, or in all rooms when `room_type` is empty."""
 
@@ -322,6 +353,7 @@ class BriefFacts:
     styles: list[tuple[str, Span]] = field(default_factory=list)
     clutter: list[ClutterFact] = field(default_factory=list)
     materials: list[MaterialFact] = field(default_factory=list)
+    outside: list[OutsideFact] = field(default_factory=list)
     shapes: list[tuple[Shape, Span]] = field(default_factory=list)
     occupants: list[OccupantFact] = field(default_factory=list)
     setback: list[Span] = field(default_factory=list)

@@ -56,6 +56,7 @@ from mansion_planner.brief.niches import read_niches
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.occupants import read_occupants, tell_users
 from mansion_planner.brief.one_sized import with_one_sized
+from mansion_planner.brief.outside import read_outside
 from mansion_planner.brief.phrase import BARE_BUILDINGS, Phrase
 from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
@@ -119,6 +120,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     reading.go_on()
     read_materials(reading)
     read_heights(reading)
+    read_outside(reading)
     read_things_about(reading)
     read_style(reading, named=True)
     read_shape(reading)

@@ -34,6 +34,7 @@ from mansion_planner.given_plan.requested import planned_storey
 from mansion_planner.given_plan.storeys import StoreyRoom
 from mansion_planner.program.building import clutter_of, materials_of, with_elevations
 from mansion_planner.program.decisions import Decisions
+from mansion_planner.program.outside import outside_of
 from mansion_planner.program.wish_ledger import requested_objects, wishes_of
 
 __all__ = ["problem_of", "program_of", "topology_of"]
@@ -76,6 +77,7 @@ def program_of(
         building_type=name,
         planned_like=decisions.building.name if decisions.facts.building_name else "",
         style=decisions.style,
+        outside=outside_of(decisions.facts.outside, decisions.building.name, decisions.style),
         seed=request.seed,
         trace=[*decisions.trace, TraceEntry(words="", effect="rooms, doors and windows as the plan has them")],
         downgrades=[*decisions.downgrades, *notes],

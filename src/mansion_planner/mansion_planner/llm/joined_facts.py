@@ -20,10 +20,15 @@ _UNSPOKEN = frozenset({"size", "setback", "protruding", "unheeded"})
 _APART = frozenset({"building_name", "building_like", "building_span", "rooms", "unread"})
 """What is joined in a way of its own."""
 
-_RIVALS = {"adjacent": ("adjacent", "apart"), "apart": ("adjacent", "apart"), "building": ("building_type",)}
+_RIVALS = {
+    "adjacent": ("adjacent", "apart"),
+    "apart": ("adjacent", "apart"),
+    "building": ("building_type",),
+    "outside": ("facade", "roof", "grounds", "room"),
+}
 """What runs across words of other statements, and the kinds that say the same.
 
-"kitchen next to the dining room" has the rooms in it, "modern art gallery" the style.
+"kitchen next to the dining room" has the rooms in it, "modern art gallery" the style, "white villa" the walls.
 """
 
 _MOST_TOKENS = 12

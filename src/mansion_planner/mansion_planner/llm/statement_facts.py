@@ -2,11 +2,12 @@
 
 import re
 import unicodedata
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import get_args
+from typing import TypeVar, get_args
 
 from mansion_knowledge import KnowledgeBase
+from mansion_knowledge.outside_words import outside_words
 from mansion_language import singular, tokenize
 from mansion_llm import Fault
 from mansion_llm.quotes import find_quote
@@ -21,6 +22,7 @@ from mansion_planner.brief.facts import (
     MaterialFact,
     ObjectFact,
     OccupantFact,
+    OutsideFact,
     Quantity,
     RoomFact,
     Shape,
@@ -42,6 +44,7 @@ ASIDE = "aside"
 _MOST_STATEMENTS = 300
 _MOST_ROOMS = 500
 _MOST_PEOPLE = 1_000_000
+_MOST_PLACES = 400
 _MOST_AREA = 1e6
 _HEIGHTS = (1.5, 30.0)
 
@@ -93,6 +96,16 @@ class _Named:
         return self.name.replace("_", " ")
 
 
+_Meaning = TypeVar("_Meaning", bound=str)
+
+
+def _meant(text: str, known: Mapping[str, _Meaning]) -> _Meaning | None:
+    """Return what words stand for, or the name itself that is one of those; ``None`` for anything else."""
+    words = text.strip().lower().replace("_", " ")
+    own = next((name for name in known.values() if name.replace("_", " ") == words), None)
+    return known.get(words) or own
+
+
 def facts_of_statements(answer: ReadingAnswer, text: str, knowledge: KnowledgeBase) -> StatementFacts:
     """Return the facts of an answer's usable statements, and the faults of the others.
 
@@ -127,7 +140,8 @@ class _StatementReader:
             "style": self._style, "use": self._use, "copy": self._copy, "stair": self._vertical,
             "elevator": self._vertical, "room": self._room, "no_room": self._no_room, "adjacent": self._relation,
             "apart": self._relation, "object": self._object, "no_object": self._object, "height": self._height,
-            "material": self._material, "clutter": self._clutter, "occupants": self._occupants, "only": self._only,
+            "material": self._material, "facade": self._facade, "roof": self._roof, "grounds": self._grounds,
+            "clutter": self._clutter, "occupants": self._occupants, "only": self._only,
             "unread": self._unread,
             ASIDE: lambda entry, span: None,
         }  # fmt: skip
@@ -384,6 +398,33 @@ class _StatementReader:
             raise _UnusableError("value.type must be floor or wall, and value.name a material in plain English words")
         kind = self._room_type(entry)
         self.facts.materials.append(MaterialFact("floor" if surface == "floor" else "wall", material, kind, span))
+
+    def _facade(self, entry: StatementAnswer, span: Span) -> None:
+        known = outside_words()
+        material = _meant(entry.value.name, {**known.colours, **known.substances})
+        if material is None:
+            raise _UnusableError(
+                "value.name must be a material of outer walls such as brick, stone, timber or white render"
+            )
+        self.facts.outside.append(OutsideFact("facade", material, span))
+
+    def _roof(self, entry: StatementAnswer, span: Span) -> None:
+        known = outside_words()
+        form, covering = _meant(entry.value.name, known.roofs), _meant(entry.value.type, known.coverings)
+        said = [text for text in (entry.value.name, entry.value.type) if text.strip()]
+        if len(said) != (form is not None) + (covering is not None) or not said:
+            raise _UnusableError(
+                "value.name must be flat, gable or hip, or value.type slate, tile, metal, thatch or grass"
+            )
+        self.facts.outside.append(OutsideFact("roof", form or "", span, covering=covering or ""))
+
+    def _grounds(self, entry: StatementAnswer, span: Span) -> None:
+        known = outside_words()
+        use = _meant(entry.value.name, {**known.outdoor, **known.grounds})
+        if use is None:
+            raise _UnusableError("value.name must be garden, pool, parking, playground, hedge or fence")
+        count = 0 if entry.value.count is None else self._count(entry, _MOST_PLACES)
+        self.facts.outside.append(OutsideFact("grounds", "", span, count=count, use=use))
 
     def _clutter(self, entry: StatementAnswer, span: Span) -> None:
         amount = entry.value.name.strip().lower()

@@ -32,6 +32,7 @@ from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
 from mansion_planner.program.model import CoreWish, Massing, Placement, PlannedRoom, Sketch, Storey, aliases_of
 from mansion_planner.program.outline import Envelope, Frame, bearing_walls
+from mansion_planner.program.outside import outside_of
 from mansion_planner.program.setbacks import setback_record
 from mansion_planner.program.stairs import stair_size, storey_height
 from mansion_planner.program.step_record import Record
@@ -117,6 +118,7 @@ def _program(
         building_type=named or decisions.building.name,
         planned_like=decisions.building.name if named else "",
         style=decisions.style,
+        outside=outside_of(decisions.facts.outside, decisions.building.name, decisions.style),
         seed=request.seed,
         trace=decisions.trace,
         downgrades=decisions.downgrades,

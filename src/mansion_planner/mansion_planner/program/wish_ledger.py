@@ -284,7 +284,7 @@ class _Ledger:
             self.add("floor_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
 
     def _shape_and_finish(self) -> None:
-        """Add the outline, the style, materials and heights."""
+        """Add the outline, the style, materials, the outside and heights."""
         facts = self.facts
         for shape, span in (*facts.shapes, *self.decisions.given_up.shapes):
             self.add("outline", span, WishValue(name=shape))
@@ -293,6 +293,9 @@ class _Ledger:
         for material in facts.materials:
             value = WishValue(name=material.material, type=material.surface)
             self.add("material", material.span, value, Scope(room_type=material.room_type, each=material.throughout))
+        for fact in facts.outside:
+            value = WishValue(name=fact.use or fact.name, type=fact.covering, count=fact.count or None)
+            self.add(fact.part, fact.span, value)
         for clutter in facts.clutter:
             self.add("clutter", clutter.span, WishValue(name=clutter.clutter), Scope(room_type=clutter.room_type))
         for height in facts.heights:

@@ -4,6 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+import msgspec
 from shapely.geometry import Polygon
 
 from mansion_geometry.robot_body import PASSAGE_WIDTH
@@ -31,7 +32,7 @@ from mansion_scene.structure.given_openings import (
 )
 from mansion_scene.structure.held_openings import HeldAccess, held_openings, with_furniture, without_held
 from mansion_scene.structure.interiors import Partition, partition_floor, usable_boundaries, walkable_parts
-from mansion_scene.structure.materials import facade_material
+from mansion_scene.structure.materials import GLASS_FACADE, facade_material
 from mansion_scene.structure.openings import (
     Opening,
     make_frontages,
@@ -117,12 +118,13 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
     sites = _DoorSites(request, floor, usable, shared, partition)
     openings, changed = _all_openings(sites, plan, kept, root, frontages, rebuilt=held is not None)
     rooms = scene_rooms(request, floor, partition, ceiling)
-    facade = facade_material(request.building_type, request.seed, request.style)
+    wanted = "" if isinstance(request.outside, msgspec.UnsetType) else request.outside.facade
+    facade = facade_material(request.building_type, request.seed, request.style, wanted)
     walls = number_walls(floor, partition.walls, {room.id: room for room in rooms}, ceiling, facade)
     if given is not None and given.windows is not None:
         windows = given_windows(floor, given.windows, partition.walls, openings, ceiling)
     else:
-        windows = place_windows(floor, partition.walls, openings, ceiling)
+        windows = place_windows(floor, partition.walls, openings, ceiling, glazed=facade == GLASS_FACADE)
     doors = number_doors(floor, walls, openings, ceiling)
     return FloorStructure(
         floor=floor,

@@ -18,6 +18,7 @@ from mansion_msgs_py.scene import FloorScene
 
 __all__ = [
     "DEFAULT_FACADE",
+    "GLASS_FACADE",
     "SUBSTANCES",
     "Material",
     "Use",
@@ -155,10 +156,20 @@ def match_material(description: str, use: Use) -> Material:
 
 
 DEFAULT_FACADE = "facade_render"
+GLASS_FACADE = "glass_panels"
+"""What covers slabs and columns of a facade that is of glass between them."""
 
 
-def facade_material(building_type: str, seed: int, style: str = "") -> str:
-    """Return the material of a building's outer walls, the same for all its floors."""
+def facade_material(building_type: str, seed: int, style: str = "", wanted: str = "") -> str:
+    """Return the material of a building's outer walls, the same for all its floors.
+
+    Parameters
+    ----------
+    wanted : str
+        The material that the brief asks for, if it does.
+    """
+    if wanted in library():
+        return wanted
     if not building_type:
         return DEFAULT_FACADE
     choice = default_knowledge().groups.facades_of(building_type, style)

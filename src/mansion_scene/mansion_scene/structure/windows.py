@@ -61,6 +61,8 @@ _KINDS: tuple[tuple[str, WindowKind | None], ...] = (
 _DEFAULT = WindowKind(1.5, 1.6, 0.9, 1.0)
 _SHOP = WindowKind(2.4, 2.2, 0.3, 0.25)  # goods and guests are seen from the street
 _NARROWEST = 0.6
+_TO_LOOK_OUT = 1.2  # metres: highest sill of windows that one looks out of
+_PANE, _PLINTH, _MULLION = 1.68, 0.2, 0.12  # metres: width of a glass facade's panes, below and between them
 
 
 def window_kind(region: Region) -> WindowKind | None:
@@ -79,7 +81,12 @@ def usual_window(region: Region) -> WindowKind:
 
 
 def place_windows(
-    floor: FloorRegions, boundaries: Sequence[BoundarySegment], openings: Sequence[Opening], ceiling: float
+    floor: FloorRegions,
+    boundaries: Sequence[BoundarySegment],
+    openings: Sequence[Opening],
+    ceiling: float,
+    *,
+    glazed: bool = False,
 ) -> list[WindowOpening]:
     """Place windows, evenly spaced between wall ends and doors, in every outer wall of a floor above ground.
 
@@ -89,6 +96,8 @@ def place_windows(
         Doors; those in outer walls keep their distance.
     ceiling : float
         Height of the ceilings, metres; windows stay below.
+    glazed : bool
+        The facade is of glass: all rooms that have windows to look out of have them from the floor to the ceiling.
     """
     if floor.floor < GROUND_FLOOR:
         return []
@@ -106,6 +115,8 @@ def place_windows(
             continue
         if front is not None and _faces(boundary, front) and is_class(floor.by_id[wall.left].room_type, "shopfront"):
             kind = _SHOP
+        if glazed and kind.sill <= _TO_LOOK_OUT:
+            kind = WindowKind(_PANE, ceiling, _PLINTH, _MULLION)
         kind = fitting_window(kind, ceiling)
         for low, high in _free(boundary, doors.get(boundary.left, [])):
             windows.extend(_row(boundary, kind, low, high))
