@@ -106,6 +106,10 @@ def test_what_lies_on_the_plot_is_no_room(text: str, uses: dict[str, int]) -> No
         ("Flats with underground parking for 20 cars", ["underground_parking"]),
         ("An office with a parking garage on the ground floor", ["parking_garage"]),
         ("A house whose kitchen opens to the garden", ["kitchen"]),
+        ("A clinic around a therapy garden", ["therapy_garden"]),
+        ("A narrow house with parking for one car", ["parking"]),
+        ("A motel with a lobby, parking in front isn't part of the model", ["lobby"]),
+        ("A house without a garden", []),
     ],
 )
 def test_rooms_that_are_called_like_parts_of_a_plot_stay_rooms(text: str, rooms: list[str]) -> None:

@@ -23,6 +23,9 @@ LONGEST: Final = 5
 MOST_PLACES: Final = 400
 """Most places to park on a plot."""
 
+_RULED_OUT = frozenset({"no", "not", "n't", "isn't", "without", "never", "instead", "rather", "avoid"})
+"""Words right before or after a phrase by which it is not wanted."""
+
 _WALLS = frozenset({"facade", "exterior", "cladding", "frontage"})
 """Nouns that mean the outer walls wherever they stand."""
 _OUTER = frozenset({"outer", "outside", "exterior", "external"})
@@ -47,6 +50,8 @@ _YARDS = frozenset("garden backyard yard".split())
 _BESIDE = frozenset("behind beside around at along next before".split())
 _WHOLE = frozenset("building house plot site property villa hotel school garden block entrance premises home".split())
 _SITES = (("in", "front"), ("in", "the", "front"), ("on", "the", "plot"), ("on", "the", "site"), ("at", "the", "back"))
+_SEVERAL = 3
+"""Number of cars from which on parking is no garage of a home."""
 _BELOW = frozenset("basement underground cellar garage semi sub multi subterranean".split())
 """Words for places to park indoors, wherever they stand in a sentence."""
 _OF_STOREYS = frozenset("floor storey level ground below above top first second third deck".split())
@@ -87,7 +92,10 @@ def _phrase_at(reading: Reading, first: int, known: Mapping[str, _Value]) -> tup
 
 
 def _record(reading: Reading, first: int, last: int, fact: OutsideFact) -> None:
-    """Record a fact, and take its words from all that is read later."""
+    """Record a fact, and take its words from all that is read later; what is ruled out is left to other readers."""
+    before, after = reading.words(first - 2, first), reading.words(last, last + 2)
+    if not (_RULED_OUT.isdisjoint(before) and _RULED_OUT.isdisjoint(after)):
+        return
     reading.facts.outside.append(fact)
     reading.take(first, last)
     for index in range(first, last):
@@ -319,6 +327,8 @@ def _is_wanted(reading: Reading, first: int, last: int) -> bool:
     led = first == 0 or before in _ARTICLES or reading.breaks(first - 1) or reading.kind(first - 1) == "number"
     qualified = not led and reading.word(first - 2) in ("a", "an", "its", "own") and reading.kind(first - 1) == "word"
     joined = before == "and" and reading.word(first - 2) in ("view", "to")
+    if "around" in reading.words(first - 3, first):
+        return False  # "U-shaped around a little garden" is a courtyard
     return closed and (led or (qualified and first - 1 not in reading.mention_at)) and not joined
 
 
@@ -329,12 +339,11 @@ def _outdoors_until(reading: Reading, first: int, last: int, use: GroundUse) -> 
         near = reading.words(max(here[0], first - 2), min(here[1], last + 4))
         if not (_BELOW.isdisjoint(reading.words(*here)) and _OF_STOREYS.isdisjoint(near)):
             return 0
-        counted = reading.kind(first - 1) == "number" or (
-            reading.word(last) == "for" and reading.kind(last + 1) == "number"
-        )
+        behind = reading.value(last + 1) if reading.word(last) == "for" else 0.0
+        counted = max(reading.value(first - 1), behind)
         sited = any(reading.words(last, last + len(site)) == site for site in _SITES)
         sited = sited or reading.word(last) in _OUTDOORS or reading.word(last) in ("behind", "beside")
-        return last if counted or sited else 0
+        return last if counted >= _SEVERAL or sited else 0
     if reading.word(last) in _OUTDOORS:
         return last
     if reading.words(last, last + 2) in (("in", "the"), ("in", "a"), ("in", "its")):
