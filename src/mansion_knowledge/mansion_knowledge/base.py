@@ -396,6 +396,7 @@ def _groups(record: Mapping[str, Any]) -> BuildingGroups:
             },
             flat_styles=frozenset(record["roof"]["flat"]),
             style_facades={name: tuple(materials) for name, materials in record["facade_of_style"].items()},
+            trims={name: (str(plinth), str(surround)) for name, (plinth, surround) in record.get("trims", {}).items()},
             room_of={str(noun): str(room) for noun, room in record.get("room_of", {}).items()},
         )
     except (KeyError, TypeError, ValueError, AttributeError) as error:

@@ -259,6 +259,8 @@ class BuildingGroups:
         Words of types, and the materials that their outer walls may have; ``other`` for types without such a word.
     style_facades : dict of str to tuple of str
         Materials of the outer walls by style, for the styles that have their own.
+    trims : dict of str to (str, str)
+        Materials of the plinth and of the surrounds of windows, by the facade's; empty for none.
     roofs : dict of str to (frozenset of str, tuple of str)
         Likewise the forms of their roofs: ``gable``, ``hip`` or ``flat``.
     outside : dict of str to (frozenset of str, tuple of str)
@@ -276,6 +278,7 @@ class BuildingGroups:
     outside: dict[str, tuple[frozenset[str], tuple[str, ...]]]
     flat_styles: frozenset[str]
     style_facades: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    trims: dict[str, tuple[str, str]] = field(default_factory=dict)
     room_of: dict[str, str] = field(default_factory=dict)
 
     def filler_of(self, family: str) -> tuple[str, ...]:

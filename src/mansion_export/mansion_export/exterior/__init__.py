@@ -9,5 +9,6 @@ from mansion_export.exterior.features import feature_parts
 from mansion_export.exterior.plot import plot_parts
 from mansion_export.exterior.roofs import roof_parts
 from mansion_export.exterior.signs import sign_parts
+from mansion_export.exterior.trims import trim_parts
 
-__all__ = ["chimney_parts", "entrance_parts", "feature_parts", "plot_parts", "roof_parts", "sign_parts"]
+__all__ = ["chimney_parts", "entrance_parts", "feature_parts", "plot_parts", "roof_parts", "sign_parts", "trim_parts"]

@@ -8,7 +8,15 @@ from shapely.geometry import Polygon
 
 from mansion_assets.catalogue import Asset, Catalogue, load_catalogue
 from mansion_assets.materials import art
-from mansion_export.exterior import chimney_parts, entrance_parts, feature_parts, plot_parts, roof_parts, sign_parts
+from mansion_export.exterior import (
+    chimney_parts,
+    entrance_parts,
+    feature_parts,
+    plot_parts,
+    roof_parts,
+    sign_parts,
+    trim_parts,
+)
 from mansion_export.meshes.asset_surfaces import asset_surfaces
 from mansion_export.meshes.core_meshes import core_parts
 from mansion_export.meshes.materials import hex_color, named, surface_material
@@ -86,8 +94,11 @@ def building_models(
             covered = None if above is None else slab_polygon(above, above=False, openings=False)
             roof = list(roof_parts(scene, slab_polygon(scene, above=True, openings=above is not None), covered))
             outside += [*roof, *chimney_parts(scene, ordered[: number + 1], roof, covered)]
+        plan = slab_polygon(scene, above=False, openings=False)
+        if site and scene.floor >= 1:
+            outside += trim_parts(scene, plan)
         if site and scene.floor == 1:
-            outside += [*plot_parts(scene, slab_polygon(scene, above=False, openings=False)), *entrance_parts(scene)]
+            outside += [*plot_parts(scene, plan), *entrance_parts(scene)]
             outside += [*feature_parts(scene), *sign_parts(scene)]
         models.append(floor_model(scene, ceilings=ceilings, cabins=here, outside=outside, catalogue=catalogue))
     return models

@@ -124,7 +124,9 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
     if given is not None and given.windows is not None:
         windows = given_windows(floor, given.windows, partition.walls, openings, ceiling)
     else:
-        windows = place_windows(floor, partition.walls, openings, ceiling, glazed=facade == GLASS_FACADE)
+        french = "french_balconies" in default_knowledge().groups.shown_outside(request.building_type)
+        glazed = facade == GLASS_FACADE
+        windows = place_windows(floor, partition.walls, openings, ceiling, glazed=glazed, french=french)
     doors = number_doors(floor, walls, openings, ceiling)
     return FloorStructure(
         floor=floor,

@@ -60,6 +60,7 @@ _KINDS: tuple[tuple[str, WindowKind | None], ...] = (
 )
 _DEFAULT = WindowKind(1.5, 1.6, 0.9, 1.0)
 _SHOP = WindowKind(2.4, 2.2, 0.3, 0.25)  # goods and guests are seen from the street
+_FRENCH = WindowKind(1.8, 2.1, 0.2, 0.9, "hung")
 _NARROWEST = 0.6
 _TO_LOOK_OUT = 1.2  # metres: highest sill of windows that one looks out of
 _PANE, _PLINTH, _MULLION = 1.68, 0.2, 0.12  # metres: width of a glass facade's panes, below and between them
@@ -87,6 +88,7 @@ def place_windows(
     ceiling: float,
     *,
     glazed: bool = False,
+    french: bool = False,
 ) -> list[WindowOpening]:
     """Place windows, evenly spaced between wall ends and doors, in every outer wall of a floor above ground.
 
@@ -98,6 +100,8 @@ def place_windows(
         Height of the ceilings, metres; windows stay below.
     glazed : bool
         The facade is of glass: all rooms that have windows to look out of have them from the floor to the ceiling.
+    french : bool
+        Living rooms upstairs have windows that reach down to the floor, as of flats.
     """
     if floor.floor < GROUND_FLOOR:
         return []
@@ -115,6 +119,8 @@ def place_windows(
             continue
         if front is not None and _faces(boundary, front) and is_class(floor.by_id[wall.left].room_type, "shopfront"):
             kind = _SHOP
+        if french and floor.floor > GROUND_FLOOR and is_class(floor.by_id[wall.left].room_type, "living"):
+            kind = _FRENCH
         if glazed and kind.sill <= _TO_LOOK_OUT:
             kind = WindowKind(_PANE, ceiling, _PLINTH, _MULLION)
         kind = fitting_window(kind, ceiling)
