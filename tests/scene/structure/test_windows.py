@@ -3,10 +3,12 @@
 import math
 from types import ModuleType
 
+import msgspec
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from shapely.geometry import LineString
+from shapely.geometry import LineString, Polygon
 
+from mansion_msgs_py.outside import Outside
 from mansion_scene.structure import FloorStructure, build_structure
 
 
@@ -32,11 +34,11 @@ def test_windows_stand_in_outer_walls_of_their_room_clear_of_doors_and_junctions
         openings.append(line)
 
 
-def test_stores_and_shafts_have_none_and_toilets_small_high_ones(sample_floors: ModuleType) -> None:
+def test_stores_and_lift_shafts_have_none_and_toilets_small_high_ones(sample_floors: ModuleType) -> None:
     structure = build_structure(sample_floors.office())
     assert windows_of(structure, "F1/storage") == []
     assert windows_of(structure, "F1/server_room") == []
-    assert windows_of(structure, "elevator_1") == windows_of(structure, "stair_1") == []
+    assert windows_of(structure, "elevator_1") == []
     (toilet,) = windows_of(structure, "F1/toilet_1")
     assert toilet.sill >= 1.5 and toilet.height <= 0.6
     (office, *_) = windows_of(structure, "F1/office_2")
@@ -80,3 +82,38 @@ def test_a_shop_shows_its_goods_in_large_windows_beside_the_entrance(sample_floo
 
     assert sills("shop")["front"] < 0.4 < sills("shop")["elsewhere"]
     assert sills("gym")["front"] > 0.4
+
+
+def test_a_stair_at_an_outer_wall_has_windows_to_look_out_of(sample_floors: ModuleType) -> None:
+    structure = build_structure(sample_floors.office())
+    (stair,) = [core for core in structure.cores if core.type == "stair"]
+    outer = Polygon(stair.polygon).boundary.intersection(structure.floor.outline.boundary).length
+    windows = windows_of(structure, "stair_1")
+    assert bool(windows) == (outer > 1.5)
+    assert all(0.9 <= window.sill <= 1.2 for window in windows)
+
+
+def test_a_glass_facade_has_windows_from_floor_to_ceiling(sample_floors: ModuleType) -> None:
+    plain = sample_floors.office()
+    glazed = build_structure(msgspec.structs.replace(plain, outside=Outside(facade="glass_panels")))
+    assert {wall.right_material for wall in glazed.walls if wall.exterior} == {"glass_panels"}
+    high = [window for window in glazed.windows if window.sill < 0.3]
+    assert len(high) > len(glazed.windows) / 2
+    assert all(window.height > 2.0 for window in high)
+    (toilet,) = windows_of(glazed, "F1/toilet_1")
+    assert toilet.sill >= 1.5
+
+
+def test_living_rooms_of_flats_have_windows_down_to_the_floor_upstairs_alone(sample_floors: ModuleType) -> None:
+    def sills(floor: int) -> set[float]:
+        rooms = {
+            "flat": ("apartment", sample_floors.box(0, 0, 12, 9)),
+            "bedroom": ("bedroom", sample_floors.box(12, 0, 16, 9)),
+        }
+        flats = sample_floors.request(
+            rooms, [("flat", "bedroom")], floor=floor, floors=(1, 2), building_type="apartment_building"
+        )
+        structure = build_structure(flats)
+        return {window.sill for window in structure.windows if window.room.endswith("flat")}
+
+    assert max(sills(2)) < 0.3 < min(sills(1))

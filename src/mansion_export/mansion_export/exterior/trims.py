@@ -56,7 +56,7 @@ def trim_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
     facade = facade_of(scene)
     trims = default_knowledge().groups.trims.get(facade)
     surfaces: list[Surface] = []
-    if default_knowledge().is_dwelling(scene.building_type) and 1 < scene.floor and scene.floors <= COATED:
+    if default_knowledge().is_dwelling(scene.building_type) and scene.floor > 1 and scene.floors <= COATED:
         surfaces += _coat(scene, slab, surface_material(facade, "wall"))
     if trims is not None:
         plinth, surround = trims
@@ -98,7 +98,7 @@ def _ring(shape: BaseGeometry, bottom: float, top: float, material: Material) ->
 
 @dataclass(frozen=True)
 class _Face:
-    """The outer face of a wall at a window: takes places along it, before it and above the floor to plan coordinates."""
+    """The outer face of a wall at a window, in whose terms boxes are placed."""
 
     middle: Point
     along: Point

@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mansion_knowledge import is_class
+from mansion_knowledge import default_knowledge, is_class
 from mansion_msgs_py.program import GROUND_FLOOR
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.structure.boundaries import BoundarySegment, reentrant_corners, usable_part
@@ -60,6 +60,7 @@ _KINDS: tuple[tuple[str, WindowKind | None], ...] = (
 )
 _DEFAULT = WindowKind(1.5, 1.6, 0.9, 1.0)
 _SHOP = WindowKind(2.4, 2.2, 0.3, 0.25)  # goods and guests are seen from the street
+_STAIR = WindowKind(1.2, 1.5, 1.0, 1.4)
 _FRENCH = WindowKind(1.8, 2.1, 0.2, 0.9, "hung")
 _NARROWEST = 0.6
 _TO_LOOK_OUT = 1.2  # metres: highest sill of windows that one looks out of
@@ -67,9 +68,9 @@ _PANE, _PLINTH, _MULLION = 1.68, 0.2, 0.12  # metres: width of a glass facade's 
 
 
 def window_kind(region: Region) -> WindowKind | None:
-    """Return the windows of a region's type; ``None`` for stores, shafts and outdoor rooms."""
+    """Return the windows of a region's type; ``None`` for stores, lift shafts and outdoor rooms."""
     if not region.is_room:
-        return None
+        return _STAIR if region.kind == "stair" else None
     for name, kind in _KINDS:
         if is_class(region.room_type, name):
             return kind
@@ -119,7 +120,7 @@ def place_windows(
             continue
         if front is not None and _faces(boundary, front) and is_class(floor.by_id[wall.left].room_type, "shopfront"):
             kind = _SHOP
-        if french and floor.floor > GROUND_FLOOR and is_class(floor.by_id[wall.left].room_type, "living"):
+        if french and floor.floor > GROUND_FLOOR and _is_lived_in(floor.by_id[wall.left].room_type):
             kind = _FRENCH
         if glazed and kind.sill <= _TO_LOOK_OUT:
             kind = WindowKind(_PANE, ceiling, _PLINTH, _MULLION)
@@ -127,6 +128,11 @@ def place_windows(
         for low, high in _free(boundary, doors.get(boundary.left, [])):
             windows.extend(_row(boundary, kind, low, high))
     return windows
+
+
+def _is_lived_in(room_type: str) -> bool:
+    """Whether a room is a living room, or the main one of a flat."""
+    return is_class(room_type, "living") or default_knowledge().room(room_type).unit
 
 
 def _front(openings: Sequence[Opening]) -> BoundarySegment | None:
