@@ -56,9 +56,9 @@ class StreetView:
     Parameters
     ----------
     models : sequence of Model
-        Of all floors, lowest first.
+        Models of all floors, lowest first.
     scenes : sequence of FloorScene
-        Of the same floors.
+        Scenes of the same floors.
     """
 
     def __init__(self, models: Sequence[Model], scenes: Sequence[FloorScene]) -> None:
