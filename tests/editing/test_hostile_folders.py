@@ -30,7 +30,7 @@ def test_an_index_that_names_files_elsewhere_is_refused(folder: Path, victim: Pa
     name = f"../{victim.parent.name}/report.json"
     index.write_bytes(index.read_bytes().replace(b'"files": {}', encode_bytes({"files": {"report": name}})[1:-1]))
     assert name.encode() in index.read_bytes()
-    with pytest.raises(MansionError, match="inside of the folder"):
+    with pytest.raises(MansionError, match="inside the folder"):
         BuildingStore(folder)
 
 

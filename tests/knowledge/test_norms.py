@@ -37,7 +37,7 @@ def written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str) -> None:
 @pytest.mark.parametrize(
     ("line", "told"),
     [
-        ('severity = "grave"', "severity 'grave' is none of deviation, advice"),
+        ('severity = "grave"', "severity 'grave' is not one of deviation, advice"),
         ('colour = "red"', "unknown ['colour'], missing []"),
     ],
 )

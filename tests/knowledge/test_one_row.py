@@ -53,7 +53,7 @@ def test_one_row_is_planned_furnished_and_exported(folder: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("row", "fault"), [("onsen,,nowhere", "'nowhere' is no room type"), ("onsen,,onsen", "is kin of itself")]
+    ("row", "fault"), [("onsen,,nowhere", "'nowhere' is not a room type"), ("onsen,,onsen", "is kin of itself")]
 )
 def test_a_kin_that_cannot_be_is_named(tmp_path: Path, row: str, fault: str) -> None:
     (tmp_path / "room_types.csv").write_text(f"name,synonyms,kin\n{row}\n")

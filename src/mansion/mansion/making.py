@@ -64,7 +64,7 @@ def build(
         Formats to write beside plans and pictures, ``["glb", "nav2"]`` or ``"glb,nav2"``, as `Building.export` names
         them; ``"all"`` for maps, AI2-THOR houses, MuJoCo models and the binary glTF.
     jobs : int
-        Floors in work at once, in forked processes where there are several; 0: one for each core. The result does not
+        Floors made at once, in forked processes where there are several; 0: one for each core. The result does not
         depend on it.
     force : bool
         Replace a building even if robots have left state in it.

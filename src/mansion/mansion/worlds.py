@@ -157,7 +157,7 @@ def build_all(briefs: str | Path | Sequence[str | BuildRequest], folder: str | P
     folder : path
         Gets the buildings and ``table.csv``.
     jobs : int
-        Buildings in work at once, each in a process of its own where there are several: a script then needs
+        Buildings made at once, each in a process of its own where there are several: a script then needs
         ``if __name__ == "__main__":``.
 
     Returns
@@ -169,7 +169,7 @@ def build_all(briefs: str | Path | Sequence[str | BuildRequest], folder: str | P
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` naming the lines of a file that are no briefs, ``CONFLICT`` for a folder that holds
+        ``INVALID_PAYLOAD`` naming the lines of a file that are not briefs, ``CONFLICT`` for a folder that holds
         something else.
     """
     with importing:

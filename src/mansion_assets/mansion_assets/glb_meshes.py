@@ -23,13 +23,13 @@ if TYPE_CHECKING:
 
     from mansion_assets.meshes import MeshPart
 
-__all__ = ["BODY", "PieceRecord", "glb_joints", "glb_parts", "glb_pieces", "srgb_of_linear"]
+__all__ = ["BODY", "GLTF_AXES", "PieceRecord", "glb_joints", "glb_parts", "glb_pieces", "srgb_of_linear"]
 
 BODY = "body"
 """What the part of an asset that does not move is called in files."""
 
-_AXES = np.array([[-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]])
-"""From glTF (y up, front +z) to an asset's frame (z up, front +y)."""
+GLTF_AXES = np.array([[-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]])
+"""From glTF (y up, front +z) to an asset's frame (z up, front +y): ``points @ GLTF_AXES.T``."""
 
 
 class PieceRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, forbid_unknown_fields=True):
@@ -117,7 +117,7 @@ def _read(path: str, stamp: tuple[int, int], size: Size3, parts: frozenset[str],
         from mansion_assets.meshes import MeshPart
 
     named = _geometries(path, key)
-    points = [np.asarray(geometry.vertices, dtype=np.float64) @ _AXES.T for _, geometry in named]
+    points = [np.asarray(geometry.vertices, dtype=np.float64) @ GLTF_AXES.T for _, geometry in named]
     low = np.min([p.min(axis=0) for p in points], axis=0)
     high = np.max([p.max(axis=0) for p in points], axis=0)
     scale = np.array(size) / np.maximum(high - low, 1e-6)

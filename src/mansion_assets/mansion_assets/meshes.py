@@ -137,7 +137,7 @@ def _simplified(look: _Look) -> tuple[Convex, ...]:
 
 
 class Link(NamedTuple):
-    """A rigid part of an asset: its triangles, what of it collides, and how it moves; the body has no joint."""
+    """A rigid part of an asset: triangles, collision bodies, and how it moves; the body has no joint."""
 
     name: str
     parts: tuple[MeshPart, ...]

@@ -72,7 +72,7 @@ def _bounds(bodies: Sequence[Convex]) -> Floats:
 
 
 def _without_inner(bodies: list[Convex], skin: float) -> list[Convex]:
-    """Leave out what lies within a larger box, but for `skin` metres."""
+    """Leave out what lies within a larger box, or beyond it by no more than `skin` metres."""
     bounds = _bounds(bodies)
     volumes = np.array([volume_of(body) for body in bodies])
     boxes = np.array([isinstance(body, Box) for body in bodies])

@@ -37,7 +37,7 @@ _FACINGS = 4
 
 
 def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
-    """Show goods in a compartment; they are part of the mesh, and the compartment is no receptacle."""
+    """Show goods in a compartment; they are part of the mesh, and the compartment is not a receptacle."""
     own = _OWN_GOODS.get(fill)
     if own is not None:
         own(b, cell, depth, key)
@@ -410,7 +410,7 @@ def _groceries(b: Builder, cell: Rect, depth: float, key: int) -> None:
     room = cell.top - cell.z
     count = max(1, int((cell.x1 - cell.x0) / 0.105))
     step = (cell.x1 - cell.x0) / count
-    # Of a shelf with two sides the one to the back faces the other way.
+    # On a shelf with two sides, the back one faces the other way.
     front = cell.y1 if abs(cell.y1) > abs(cell.y0) else cell.y0
     inwards = -1 if front > 0 else 1
     for k in range(count):

@@ -58,7 +58,7 @@ def revolved(profile: Sequence[tuple[float, float]], at: Span, n: int, stretch: 
 def _ring_faces(rings: int, n: int) -> Ints:
     """Join rings of `n` vertices; close the first and the last with fans about the two poles after them.
 
-    The array is shared by all bodies with so many rings, and cannot be written to.
+    The array is shared by all bodies with this number of rings, and cannot be written to.
     """
     i = np.arange(n)
     j = (i + 1) % n

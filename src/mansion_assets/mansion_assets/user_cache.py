@@ -29,7 +29,7 @@ def kept(file: Path, kind: type[T], make: Callable[[], T]) -> T:
     file : Path
         MessagePack of `kind`. One that is broken, or cannot be read, is made again.
     kind : type
-        Of the value.
+        Type of the value.
     make : callable
     """
     try:

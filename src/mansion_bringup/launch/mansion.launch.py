@@ -94,14 +94,14 @@ def _arguments():
         DeclareLaunchArgument(
             "robot_namespace",
             default_value="",
-            description="of map, odom, scan, cmd_vel, tf and clock: / for the global names; when empty, those in the "
-            "namespace /mansion, and below the nodes' namespace in any other",
+            description="namespace of map, odom, scan, cmd_vel, tf and clock: / for the global names; if empty, the "
+            "global names under /mansion and the nodes' own namespace elsewhere",
         ),
-        DeclareLaunchArgument("frame_prefix", default_value="", description="in front of every frame, as in site_b/"),
+        DeclareLaunchArgument("frame_prefix", default_value="", description="prefix of every frame, such as site_b/"),
         DeclareLaunchArgument(
             "allow",
             default_value="",
-            description="folders below which services may write, beside the working folder and the temporary one: "
+            description="folders below which services may write, besides the working folder and the temporary one: "
             "DIR, or DIR:DIR",
         ),
         _switch("use_sim_time", "take the time from /clock, in all nodes"),

@@ -138,7 +138,7 @@ class _ClusterExecutor(Executor):
         causes = [type(cause).__name__ for cause in (error, error.__cause__) if cause is not None]
         if any(name in _IN_SOURCES for name in causes):
             why = str(error.__cause__ or error).splitlines()[0]
-            return WorkersGone(f"the workers of {self._address} have not the Mansion of this command ({why})")
+            return WorkersGone(f"the workers of {self._address} do not run the Mansion of this command ({why})")
         return error
 
 

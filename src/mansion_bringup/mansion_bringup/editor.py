@@ -62,5 +62,5 @@ def write_derived(editor: SceneEditor) -> list[int]:
     try:
         return editor.store.refresh(kept_files)
     except OSError as error:
-        outcome = "the building is as told, but plans and models made from it are behind; the next edit writes them"
+        outcome = "the building is up to date, but the plans and models made from it are not; the next edit writes them"
         raise refused_by_system(error, outcome) from error

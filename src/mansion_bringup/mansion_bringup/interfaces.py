@@ -46,7 +46,7 @@ def payload_type(name: str) -> type[Any]:
         return PAYLOADS[name]
     except KeyError:
         known = ", ".join(sorted(PAYLOADS))
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no payload {name!r}; known are {known}") from None
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no payload {name!r}; payloads are {known}") from None
 
 
 def _payload_name(kind: Any) -> str:
@@ -102,7 +102,7 @@ PAGES: Final[Mapping[str, tuple[Callable[[], str], ...]]] = {
     "interfaces.md": (markdown_table,),
     "skills.md": (skill_table, skill_commands),
 }
-"""Pages of the documentation, and what of them is made here: it stands between two comments that name the function."""
+"""Pages of the documentation, with the functions that make parts of them, each between two comments that name it."""
 
 
 def page(name: str, text: str) -> str:

@@ -56,7 +56,7 @@ def check_houses(
 ) -> Iterator[Fault]:
     """Yield what ``CreateHouse`` would not read, or would build wrongly.
 
-    Rooms with fewer than five positions on AI2-THOR's grid of 0.25 m are passed to `note` and are no fault of the
+    Rooms with fewer than five positions on AI2-THOR's grid of 0.25 m are passed to `note` and are not a fault of the
     building: ``House.validate`` asks them of a house made for a task in that simulator, and a store of 1.5 m2 has no
     place for five wherever its shelf stands.
 
@@ -88,7 +88,7 @@ def verify_building(path: Path | str) -> list[Fault]:
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` when `path` is no building folder.
+        ``NOT_FOUND`` when `path` is not a building folder.
     """
     with assets_of(Path(path)):
         return check_building(path, further=_FURTHER)

@@ -54,7 +54,7 @@ def building_usd(
         from pxr import Gf, Usd, UsdGeom, UsdPhysics
     except ImportError as error:
         raise MansionError(
-            ErrorCode.UNAVAILABLE, "the USD export needs the package usd-core: pip install 'mansion_scene[usd]'"
+            ErrorCode.UNAVAILABLE, "the USD export needs the package usd-core: pip install 'mansion_export[usd]'"
         ) from error
     stage = Usd.Stage.CreateInMemory()
     UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)

@@ -198,7 +198,7 @@ def _filled(row: _Row, rows: Mapping[str, tuple[Path, _Row]]) -> _Row:
     filled, kin = dict(row), row.get("kin")
     while kin:
         if kin not in rows:
-            raise ValueError(f"kin {kin!r} is no room type")
+            raise ValueError(f"kin {kin!r} is not a room type")
         if kin in lineage:
             raise ValueError(f"{' -> '.join([*lineage, kin])} is kin of itself")
         lineage.append(kin)
@@ -215,7 +215,7 @@ def _room(row: _Row) -> RoomType:
     flags = row.get("flags", "").split()
     for flag in flags:
         if flag not in _FLAGS:
-            raise ValueError(f"flag {flag!r} is none of {', '.join(_FLAGS)}")
+            raise ValueError(f"flag {flag!r} is not one of {', '.join(_FLAGS)}")
     return RoomType(
         name=row["name"],
         least=least,
@@ -247,7 +247,7 @@ def _room(row: _Row) -> RoomType:
 def _telling(rows: Mapping[str, tuple[Path, _Row]], rooms: Container[str]) -> dict[str, str]:
     for word, (file, row) in rows.items():
         if row.get("room_type") not in rooms:
-            raise _fault(file, word, f"{row.get('room_type', '')!r} is no room type")
+            raise _fault(file, word, f"{row.get('room_type', '')!r} is not a room type")
     return {word: row["room_type"] for word, (_, row) in rows.items()}
 
 
@@ -278,7 +278,7 @@ def _parts(text: str) -> tuple[str, ...]:
 def _one_of(kind: Any, value: Any) -> Any:
     choices = get_args(kind)
     if value not in choices:
-        raise ValueError(f"{value!r} is none of {', '.join(choices)}")
+        raise ValueError(f"{value!r} is not one of {', '.join(choices)}")
     return value
 
 
@@ -298,7 +298,7 @@ def _like_another(file: Path, name: str, record: Any, records: dict[str, Any]) -
         return record
     other = records.get(record["like"])
     if not isinstance(other, dict) or "like" in other:
-        raise _fault(file, name, f"like = {record['like']!r} is no record of the same file that stands for itself")
+        raise _fault(file, name, f"like = {record['like']!r} must name a record of the same file without a `like`")
     return {"synonyms": []} | {key: value for key, value in other.items() if key != "synonyms"} | record
 
 

@@ -1,4 +1,4 @@
-"""Which rooms people pass from one into the other because of what they do there: a door belongs between them."""
+"""Pairs of rooms with a door between them because of what people do there, such as a kitchen and its store."""
 
 import re
 from dataclasses import dataclass

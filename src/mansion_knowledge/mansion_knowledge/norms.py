@@ -112,7 +112,7 @@ def _norm(name: str, record: dict[str, Any]) -> Norm:
         raise _fault(name, f"unknown {sorted(unknown)}, missing {sorted(missing)}")
     severity = next((word for word in _SEVERITIES if word == record.get("severity", "deviation")), None)
     if severity is None:
-        raise _fault(name, f"severity {record['severity']!r} is none of {', '.join(_SEVERITIES)}")
+        raise _fault(name, f"severity {record['severity']!r} is not one of {', '.join(_SEVERITIES)}")
     texts: dict[str, Any] = {key: str(record[key]) for key in _TEXTS}
     lists: dict[str, Any] = {key: tuple(record.get(key, ())) for key in _LISTS}
     figures = {key: float(value) for key, value in record.get("by", {}).items()}

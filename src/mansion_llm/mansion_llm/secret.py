@@ -52,7 +52,7 @@ class Secret:
         return self
 
     def __reduce__(self) -> tuple[type["Secret"], tuple[str]]:
-        raise TypeError("a key is not to be pickled")
+        raise TypeError("a key cannot be pickled")
 
 
 def scrub(text: str, *secrets: Secret) -> str:

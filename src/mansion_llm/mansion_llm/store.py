@@ -111,7 +111,7 @@ class Recording:
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` for a missing file, ``INVALID_PAYLOAD`` with the line that is no answer.
+        ``NOT_FOUND`` for a missing file, ``INVALID_PAYLOAD`` with the line that is not an answer.
     """
 
     def __init__(self, file: Path) -> None:

@@ -68,7 +68,7 @@ class AllowedFolders:
 
 
 EVERYWHERE: Final = AllowedFolders()
-"""For what a user's own process does at the user's command."""
+"""For a process that the user starts: it may write wherever the user may."""
 
 SYSTEM_TEMPORARY: Final = Path("/tmp")
 """Where a short trial writes, whatever ``TMPDIR`` says."""

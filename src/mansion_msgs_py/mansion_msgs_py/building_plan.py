@@ -31,10 +31,10 @@ class PlanRoom(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     name : str
         What people call it; shown as it is.
     id : str
-        By which doors name it, besides its name; needed where several rooms of a floor have one name.
+        Identifier by which doors may name it, besides its name; needed where several rooms of a floor have one name.
     type : str
         Room type or other word for what it is, where the name does not tell; ``stairs`` and ``elevator`` are rooms that
-        lie over each other on all floors.
+        lie above one another on all floors.
     polygon, holes : list of (x, y)
         Corners, in either order, on wall centre lines or on wall faces; absent where the solver is to draw the room.
     area : float, optional

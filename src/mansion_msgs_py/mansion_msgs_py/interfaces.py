@@ -93,7 +93,7 @@ _SKILL_SERVER_TOPICS: tuple[TopicInterface, ...] = (
         "Ask for a lift or end a session, as Open-RMF does (read by the node).",
         LiftRequest,
     ),
-    TopicInterface("skill_progress", "skill_server", "How far a running skill is.", SkillProgress),
+    TopicInterface("skill_progress", "skill_server", "Progress of a running skill.", SkillProgress),
     TopicInterface("world_events", "skill_server", "What each skill changed.", WorldEvent),
     TopicInterface(
         "robot_pose", "skill_server", "The robot in `map`.", type="geometry_msgs/msg/PoseStamped", qos=LATEST
@@ -182,7 +182,7 @@ _SKILL_SERVER_TOPICS: tuple[TopicInterface, ...] = (
     TopicInterface(
         "camera/camera_info",
         "skill_server",
-        "Of the image with the same stamp.",
+        "Camera model of the image with the same stamp.",
         type="sensor_msgs/msg/CameraInfo",
         qos=CAMERA,
     ),
@@ -259,7 +259,7 @@ _BUILD_TOPICS: tuple[TopicInterface, ...] = (
         FloorScene,
         qos=LATCHED,
     ),
-    TopicInterface("progress", "building_director", "How far a job is.", Progress),
+    TopicInterface("progress", "building_director", "Progress of a job.", Progress),
     TopicInterface(
         "/diagnostics",
         "every node",
@@ -307,7 +307,7 @@ _BUILD_SERVICES: tuple[ServiceInterface, ...] = (
     ServiceInterface(
         "cancel_build",
         "building_director",
-        "End builds in work, whose calls are answered with `CANCELED`.",
+        "Cancel running builds; their calls are answered with `CANCELED`.",
         CancelBuild,
         CanceledBuilds,
         '{"output": "/tmp/flat"}',
@@ -316,7 +316,7 @@ _BUILD_SERVICES: tuple[ServiceInterface, ...] = (
     ServiceInterface(
         "cancel_plan",
         "program_planner",
-        "Give up the plan in work, whose call is answered with `CANCELED`.",
+        "Cancel the running plan; its call is answered with `CANCELED`.",
         CancelPlan,
         CanceledPlans,
         "{}",
@@ -479,13 +479,15 @@ _EDITING_SERVICES: tuple[ServiceInterface, ...] = (
     ServiceInterface("scene/undo", "scene_editor", "Take back the last edit.", ToolArgs, EditResult, "{}"),
     ServiceInterface("scene/redo", "scene_editor", "Do again what was undone last.", ToolArgs, EditResult, "{}"),
     ServiceInterface(
-        "scene/diff", "scene_editor", "What waits to be saved.", ToolArgs, DiffReport, "{}", repeatable=True
+        "scene/diff", "scene_editor", "Changes that are not saved yet.", ToolArgs, DiffReport, "{}", repeatable=True
     ),
-    ServiceInterface("scene/save", "scene_editor", "Land what waits as one transaction.", ToolArgs, EditResult, "{}"),
+    ServiceInterface(
+        "scene/save", "scene_editor", "Save these changes as one transaction.", ToolArgs, EditResult, "{}"
+    ),
     ServiceInterface(
         "scene/cancel",
         "scene_editor",
-        "End the edit in work, whose call is answered with `CANCELED`; nothing of it lands.",
+        "Cancel the running edit; its call is answered with `CANCELED` and nothing of it is saved.",
         CancelEdit,
         CanceledEdits,
         "{}",

@@ -135,7 +135,7 @@ class UnmetEdge(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class CutRoundRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """One round of the breadth-first cut schedule: who was split into whom, and by which search."""
+    """One round of the breadth-first cut schedule: which parent was split into which children, and by which search."""
 
     parent: str
     children: list[str]

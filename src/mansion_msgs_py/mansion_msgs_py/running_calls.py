@@ -21,7 +21,7 @@ class RunningCalls(Generic[T]):
     name : str
         What these calls are, in the plural.
     most : int
-        How many may be in work at the same time.
+        How many may run at the same time.
 
     Examples
     --------
@@ -45,7 +45,7 @@ class RunningCalls(Generic[T]):
         Raises
         ------
         MansionError
-            ``CONFLICT`` where as many as may be are in work.
+            ``CONFLICT`` where that many are running already.
         """
         cancelled = threading.Event()
         with self._guard:

@@ -86,7 +86,7 @@ FileInFolder: TypeAlias = Annotated[
     str,
     msgspec.Meta(
         pattern=r"^(?!/)(?!([^\x00-\x1f\\]*/)?\.\.(/|$))[^\x00-\x1f\\]{0,400}$",
-        description="a path inside of the folder: no '/' at its beginning and no '..' in it",
+        description="a path inside the folder: no '/' at its beginning and no '..' in it",
     ),
 ]
 """Where a file is, relative to the folder of the file that names it; empty for one that is not there."""

@@ -1,4 +1,4 @@
-"""Arguments and replies of the stage services that the building director calls (Algorithm 1)."""
+"""Arguments and replies of the services that plan, furnish and build, and of those that cancel a plan or a build."""
 
 from collections.abc import Sequence
 from typing import Annotated, Literal, TypeAlias
@@ -135,13 +135,13 @@ class CancelPlan(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_field
 
 
 class CanceledPlans(msgspec.Struct, frozen=True, kw_only=True):
-    """Reply of ``cancel_plan``: the building ids of the plans that were asked to end; empty where none was in work."""
+    """Reply of ``cancel_plan``: the building ids of the plans that were asked to end; empty where none was running."""
 
     plans: list[str]
 
 
 class CancelBuild(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Arguments of ``cancel_build``: which builds to end; all in work where neither is given.
+    """Arguments of ``cancel_build``: which builds to end; all running ones where neither is given.
 
     Attributes
     ----------
@@ -163,6 +163,6 @@ class BuildInWork(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class CanceledBuilds(msgspec.Struct, frozen=True, kw_only=True):
-    """Reply of ``cancel_build``: the builds that were asked to end; empty where none of them was in work."""
+    """Reply of ``cancel_build``: the builds that were asked to end; empty where none of them was running."""
 
     builds: list[BuildInWork]

@@ -60,8 +60,8 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     other : str
         The second room of a relation.
     count : int, optional
-        How many; where absent, several rooms or objects, and at least one stair or lift. Of a relation, beside how many
-        rooms of the second kind one of the first lies, where that is more than one.
+        How many; where absent, several rooms or objects, and at least one stair or lift. For a relation, how many
+        rooms of the second kind one of the first lies beside, where that is more than one.
     area, height : float, optional
         Square metres, of each where there are several; metres.
     unwanted : bool
@@ -73,7 +73,7 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     unheeded : list of str
         Words that say how it is to be ("soundproof"), and that nothing is made of.
     limit : {"", "most", "least"}
-        The area is a bound: no more, or no less, is wanted. Of furniture, no more than `count` is wanted anywhere.
+        The area is a bound: no more, or no less, is wanted. For furniture, no more than `count` is wanted anywhere.
     door : bool
         A door or an opening is to join the two rooms of a relation.
     """

@@ -1,10 +1,10 @@
-"""Wording of messages: names that would be accepted, articles, counts and lists."""
+"""Wording of messages: names that would be accepted, names in words, articles, counts and lists."""
 
 from bisect import insort
 from collections.abc import Iterable, Sequence
 from difflib import SequenceMatcher
 
-__all__ = ["choices", "counted", "listed", "nearest", "shortened", "with_article"]
+__all__ = ["choices", "counted", "in_words", "listed", "nearest", "shortened", "with_article"]
 
 FEW = 16
 """So many names are all shown; of more, the nearest."""
@@ -50,6 +50,17 @@ def with_article(words: str) -> str:
     first = words.lower()
     vowel = first[:1] in tuple("aeiou") and not (first.startswith(_SOUNDED) and not first.startswith(("unin", "unim")))
     return f"{'an' if vowel or first.startswith(_MUTE) else 'a'} {words}"
+
+
+def in_words(name: str) -> str:
+    """Return a name of the payloads in words.
+
+    Examples
+    --------
+    >>> in_words("meeting_room")
+    'meeting room'
+    """
+    return name.replace("_", " ")
 
 
 def counted(number: int, one: str, many: str = "") -> str:

@@ -57,7 +57,7 @@ def check_length(description: str) -> None:
 
 
 def check_number(name: str, number: int, storeys: int) -> None:
-    """Refuse more rooms of one kind than so many storeys are planned with, before they are shared out.
+    """Refuse more rooms of one kind than a number of storeys is planned with, before they are shared out.
 
     Raises
     ------

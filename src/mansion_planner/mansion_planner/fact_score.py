@@ -109,7 +109,7 @@ def _check(fact: str, reply: PlanReply, layouts: list[FloorLayout], rooms: list[
         "error": lambda: (False, "a building"),
     }
     if key not in checks:
-        raise ValueError(f"{fact!r} is no fact that can be checked")
+        raise ValueError(f"{fact!r} is not a fact that can be checked")
     return checks[key]()
 
 
@@ -179,7 +179,7 @@ def _shape(value: str, reply: PlanReply, layouts: list[FloorLayout]) -> tuple[bo
     parts += [Polygon(core.polygon).buffer(0.01, join_style="mitre") for core in reply.problems[0].cores]
     outline = unary_union(parts).buffer(-0.01, join_style="mitre").simplify(0.05)
     if outline.geom_type != "Polygon":
-        return False, "the rooms do not hang together"
+        return False, "the rooms are not connected"
     holes = [hole for hole in outline.interiors if Polygon(hole).area > 4]
     corners = len(outline.exterior.coords) - 1
     if value == "courtyard":

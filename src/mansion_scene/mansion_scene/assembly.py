@@ -49,7 +49,7 @@ def furnish_floor(
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` for a layout that is no partition of its floor, ``INFEASIBLE`` where a room cannot be
+        ``INVALID_PAYLOAD`` for a layout that is not a partition of its floor, ``INFEASIBLE`` where a room cannot be
         reached, a stair does not fit its core, or no free position is left for the robot; `details` names the stage.
     """
     report = progress or (lambda what, share: None)

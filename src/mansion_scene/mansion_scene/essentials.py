@@ -1,4 +1,4 @@
-"""Furniture that a room cannot be used without: as what a bedroom is furnished, what is missing, what does not fit."""
+"""Furniture that a room cannot be used without: what is missing or does not fit, and whose furniture a bedroom gets."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -119,7 +119,7 @@ def slept_in_as(room: SceneRoom, rooms: Sequence[SceneRoom], building_type: str)
     Parameters
     ----------
     room : SceneRoom
-        Any room; one that is no plain bedroom keeps its type.
+        Any room; one that is not a plain bedroom keeps its type.
     rooms : sequence of SceneRoom
         All rooms of its floor.
     building_type : str

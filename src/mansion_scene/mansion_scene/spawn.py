@@ -19,7 +19,7 @@ __all__ = ["free_region", "place_spawn"]
 
 _GRID: Final = 0.25
 _SPACIOUS: Final = 1.0  # metres of clearance that are enough
-_HEADROOM: Final = 1.8  # an object that starts above this height is no obstacle
+_HEADROOM: Final = 1.8  # an object that starts above this height is not an obstacle
 
 
 def _is_obstacle(item: SceneObject) -> bool:

@@ -122,7 +122,7 @@ def make_world(
     workers : callable
         Makes an executor of `jobs` workers. Its futures raise `WorkerLost` or `WorkersGone` where such things happen.
     jobs : int or callable
-        Attempts in work at once; a callable is asked again and again.
+        Attempts running at once; a callable is asked again and again.
     tasks : TaskStep
         What makes the tasks of each building; it runs in the workers.
     report : callable

@@ -1,10 +1,9 @@
-"""Light in pictures: hollows are darker, flat faces even, panes opaque from outside."""
+"""Light in pictures: hollows are darker, flat faces even."""
 
 import numpy as np
 
 from mansion_export.meshes.materials import named
 from mansion_export.meshes.solids import Box, boxes_surface
-from mansion_export.pictures.glazing import mirroring
 from mansion_export.pictures.renderer import Triangles, View, render
 
 GREY = np.array([0.6, 0.6, 0.6])
@@ -30,13 +29,3 @@ def test_the_floor_beside_a_wall_is_darker_than_in_the_open() -> None:
     floor = column[-60:-30]
     assert np.ptp(floor) <= 3
     assert column[:-100].min() < 0.7 * floor.mean()
-
-
-def test_panes_hide_what_is_behind_them_from_outside() -> None:
-    surface = boxes_surface([Box((0.0, 0.0, 1.0), (1.2, 0.02, 1.4))], named("glass"))
-    pane = Triangles.plain(surface.vertices[surface.faces], np.array(named("glass").color))
-    clear = Triangles(pane.corners, pane.colors, np.full(len(pane.alpha), 0.3), pane.textures, pane.coordinates)
-    shown = mirroring(clear)
-    assert (shown.alpha == 1.0).all()
-    assert (shown.textures >= 0).all()
-    assert np.ptp(shown.coordinates[..., 1]) == 1.0

@@ -61,5 +61,5 @@ def test_a_folder_of_ones_own_tells_more(tmp_path: Path) -> None:
 
 def test_a_word_that_tells_of_no_type_is_refused_with_file_and_word(tmp_path: Path) -> None:
     (tmp_path / "telling_words.csv").write_text("word,room_type\ntelescope,dome\n")
-    with pytest.raises(MansionError, match=r"telling_words\.csv, record 'telescope': 'dome' is no room type"):
+    with pytest.raises(MansionError, match=r"telling_words\.csv, record 'telescope': 'dome' is not a room type"):
         load_knowledge([tmp_path])

@@ -164,7 +164,7 @@ def annotation_of(entry: Mapping[str, Any], source: str = "") -> Annotation:
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` for a size, a mass or an angle that is no number, or not a possible one.
+        ``INVALID_PAYLOAD`` for a size, a mass or an angle that is not a number, or not a possible one.
 
     Examples
     --------

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 from mansion_assets.catalogue.records import AssetRecord
-from mansion_assets.glb_meshes import BODY, PieceRecord
+from mansion_assets.glb_meshes import BODY, GLTF_AXES, PieceRecord
 from mansion_assets.library.preparing import Prepared, material_name
 from mansion_assets.library.source_model import SourceModel, SourceSurface
 from mansion_msgs_py.codec import encode_bytes
@@ -22,9 +22,6 @@ __all__ = ["Drawer", "asset_files", "content_hash", "library_glb", "write_asset"
 
 Drawer: TypeAlias = Callable[[Sequence[SourceSurface]], bytes]
 """Makes the picture of an asset, a PNG, from its surfaces."""
-
-_AXES = np.array([[-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]])
-"""From an asset's frame to glTF's (y up, front +z)."""
 
 
 def library_glb(model: SourceModel) -> bytes:
@@ -54,7 +51,7 @@ def _geometry(surface: SourceSurface) -> "Trimesh":
         alphaMode="BLEND" if look.opacity < 1.0 else "OPAQUE",
     )
     visual = TextureVisuals(material=material)
-    return Trimesh(surface.vertices @ _AXES.T, surface.faces, visual=visual, process=False)
+    return Trimesh(surface.vertices @ GLTF_AXES, surface.faces, visual=visual, process=False)
 
 
 def _linear(value: float) -> float:

@@ -78,7 +78,7 @@ def decomposed(vertices: Floats, faces: Ints, size: Size3, free: Sequence[Box], 
 
 
 def _hulls(vertices: Floats, faces: Ints, size: Size3, free: Sequence[Box]) -> list[Convex]:
-    """Return closed convex bodies as they are, and hulls of what else there is."""
+    """Return closed convex bodies as they are, and hulls of the rest."""
     # Vertices that differ by their normals alone are one, or no body would be closed.
     mesh = trimesh.Trimesh(vertices, faces, process=True)
     connected = trimesh.graph.connected_components(mesh.face_adjacency, nodes=np.arange(len(mesh.faces)), min_len=1)

@@ -43,7 +43,7 @@ _HOLLOW: Final = 0.3
 """Share of that in things with room inside, whose pieces are full."""
 
 _METALLIC, _CLEAR = 0.5, 0.6
-"""From which metallic factor on, and below which opacity, a look is that of metal and of glass."""
+"""Metallic factor above which a look is that of metal, and opacity below which it is that of glass."""
 
 _LEAST: Final = 0.02
 """Kilograms that everything has."""

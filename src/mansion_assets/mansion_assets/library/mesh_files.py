@@ -12,7 +12,7 @@ from mansion_assets.library.source_model import SourceModel, SourcePart, SourceS
 from mansion_assets.library.surface_colours import surfaces_of
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["MODELS", "Up", "file_within", "read_model", "read_surfaces"]
+__all__ = ["MODELS", "Up", "file_within", "read_model", "read_surfaces", "refused"]
 
 Up: TypeAlias = Literal["y", "z"]
 
@@ -56,13 +56,13 @@ def read_surfaces(path: Path, root: Path) -> list[SourceSurface]:
 
     kind = path.suffix.lower()
     if kind not in _MESHES:
-        raise _refused(path, f"cannot be read; models are {', '.join(_MESHES)} and .urdf")
+        raise refused(path, f"cannot be read; models are {', '.join(_MESHES)} and .urdf")
     try:
         data = path.read_bytes() if path.stat().st_size <= _LARGEST else None
     except OSError as error:
         raise MansionError(ErrorCode.NOT_FOUND, f"{path}: {error.strerror or error}") from None
     if data is None:
-        raise _refused(path, f"is larger than {_LARGEST >> 20} MB")
+        raise refused(path, f"is larger than {_LARGEST >> 20} MB")
     _check_named_files(path, kind, data, root)
     try:
         # Left as it is, so that vertices that are not finite are found and reported.
@@ -70,9 +70,9 @@ def read_surfaces(path: Path, root: Path) -> list[SourceSurface]:
         meshes = [mesh for mesh in scene.dump() if isinstance(mesh, trimesh.Trimesh) and len(mesh.faces)]
     except Exception as error:
         # Readers of meshes fail in any of many ways at damaged files.
-        raise _refused(path, f"cannot be read: {type(error).__name__}: {error}") from None
+        raise refused(path, f"cannot be read: {type(error).__name__}: {error}") from None
     if not meshes:
-        raise _refused(path, "is empty: it has no triangle")
+        raise refused(path, "is empty: it has no triangle")
     return [surface for mesh in meshes for surface in surfaces_of(mesh, linear=kind in _GLTF)]
 
 
@@ -115,7 +115,7 @@ def _check_named_files(path: Path, kind: str, data: bytes, root: Path) -> None:
     except MansionError as error:
         raise error.with_message(f"{path.name}: {error.info.message}") from None
     except (ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
-        raise _refused(path, f"cannot be read: {error}") from None
+        raise refused(path, f"cannot be read: {error}") from None
 
 
 def _refuse_outside(root: Path, folder: Path, name: str) -> None:
@@ -142,5 +142,6 @@ def _json_chunk(data: bytes) -> bytes:
     return data[20 : 20 + length]
 
 
-def _refused(path: Path, why: str) -> MansionError:
+def refused(path: Path, why: str) -> MansionError:
+    """Return the error of a file that cannot be used as a model; `why` goes on from its name."""
     return MansionError(ErrorCode.INVALID_PAYLOAD, f"{path.name} {why}", details={"file": str(path)})

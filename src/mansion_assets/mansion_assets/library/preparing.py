@@ -83,7 +83,7 @@ class _Facts:
 
 @dataclass(frozen=True)
 class Prepared:
-    """An asset that is ready to be written: its record but for names of files, its model, its pieces."""
+    """An asset that is ready to be written: its record without names of files, its model, its pieces."""
 
     record: AssetRecord
     model: SourceModel

@@ -14,7 +14,7 @@ __all__ = ["Sizing", "sizing"]
 _UNITS: Final = ((1e-3, "millimetres"), (1e-2, "centimetres"), (0.0254, "inches"), (0.3048, "feet"))
 
 _SLACK: Final = 2.0
-"""By what factor a thing may be smaller or larger than those that the catalogue has of its category."""
+"""Factor by which a model may be smaller or larger than the assets of its category."""
 
 _THINGS: Final = (0.015, 6.0)
 """Longest edges of things of which the catalogue has none, metres."""

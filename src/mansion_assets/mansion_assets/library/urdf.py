@@ -14,7 +14,7 @@ from typing import Final, Literal
 import numpy as np
 
 from mansion_assets.joints import DOOR_OPENS, Joint
-from mansion_assets.library.mesh_files import file_within, read_surfaces
+from mansion_assets.library.mesh_files import file_within, read_surfaces, refused
 from mansion_assets.library.source_model import Look, SourceModel, SourcePart, SourceSurface
 from mansion_assets.library.surface_colours import surfaces_of
 from mansion_geometry.compiled import Floats
@@ -71,17 +71,17 @@ def read_urdf(path: Path, root: Path | None = None) -> SourceModel:
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` and ``INVALID_PAYLOAD`` as `read_model`; and for what is no URDF, for links that hang on each
-        other, for invalid numbers.
+        ``NOT_FOUND`` and ``INVALID_PAYLOAD`` as `read_model`; and for a file that is not a URDF, for links that
+        form a loop, for invalid numbers.
     """
     try:
         tree = ElementTree.fromstring(path.read_bytes())
     except OSError as error:
         raise MansionError(ErrorCode.NOT_FOUND, f"{path}: {error.strerror or error}") from None
     except ElementTree.ParseError as error:
-        raise _refused(path, f"is not XML: {error}") from None
+        raise refused(path, f"is not XML: {error}") from None
     if tree.tag != "robot":
-        raise _refused(path, f"is not a URDF: its first element is {tree.tag[:40]!r}, not 'robot'")
+        raise refused(path, f"is not a URDF: its first element is {tree.tag[:40]!r}, not 'robot'")
     links = {_named(path, link): link for link in tree.findall("link")}
     joints = {joint.child: joint for joint in (_joint(path, entry) for entry in tree.findall("joint"))}
     colours = {m.get("name", ""): look for m in tree.findall("material") if (look := _colour(path, m)) is not None}
@@ -89,10 +89,10 @@ def read_urdf(path: Path, root: Path | None = None) -> SourceModel:
     for joint in joints.values():
         for link in (joint.parent, joint.child):
             if link not in links:
-                raise _refused(path, f"has a joint {joint.name!r} with a link {link!r} that does not exist")
+                raise refused(path, f"has a joint {joint.name!r} with a link {link!r} that does not exist")
     parts = _parts(robot)
     if not any(part.surfaces for part in parts):
-        raise _refused(path, "is empty: no link has a visible triangle")
+        raise refused(path, "is empty: no link has a visible triangle")
     model = SourceModel(tree.get("name") or path.stem, tuple(parts), mass=_mass(path, tree), notes=tuple(robot.notes))
     return _facing_front(model)
 
@@ -147,7 +147,7 @@ def _placed(robot: _Robot, link: str) -> tuple[Floats, Joint | None, str]:
         chain.append(robot.joints[name])
         name = robot.joints[name].parent
         if len(chain) > len(robot.joints):
-            raise _refused(robot.path, f"has links that form a loop: {link!r}")
+            raise refused(robot.path, f"has links that form a loop: {link!r}")
     pose = np.eye(4)
     moving: Joint | None = None
     part = ""
@@ -209,15 +209,15 @@ def _turn(axis: Floats, angle: float) -> Floats:
 def _joint(path: Path, entry: ElementTree.Element) -> _Joint:
     name, kind = _named(path, entry), entry.get("type", "")
     if kind not in _MOVING and kind not in _FIXED:
-        raise _refused(path, f"has a joint {name!r} of type {kind[:40]!r}; types are {', '.join((*_MOVING, *_FIXED))}")
+        raise refused(path, f"has a joint {name!r} of type {kind[:40]!r}; types are {', '.join((*_MOVING, *_FIXED))}")
     parent, child, limit = entry.find("parent"), entry.find("child"), entry.find("limit")
     if parent is None or child is None:
-        raise _refused(path, f"has a joint {name!r} without parent or child")
+        raise refused(path, f"has a joint {name!r} without parent or child")
     turning = entry.find("axis")
     axis = _numbers(path, "1 0 0" if turning is None else turning.get("xyz", "1 0 0"), 3)
     length = float(np.linalg.norm(axis))
     if length < 1e-9:
-        raise _refused(path, f"has a joint {name!r} whose axis has no direction")
+        raise refused(path, f"has a joint {name!r} whose axis has no direction")
     lower, upper = (
         float(_numbers(path, "0" if limit is None else limit.get(end, "0"), 1)[0]) for end in ("lower", "upper")
     )
@@ -238,7 +238,7 @@ def _pose(path: Path, origin: ElementTree.Element | None) -> Floats:
 
 
 def _drawn(robot: _Robot, link: ElementTree.Element, pose: Floats) -> list[SourceSurface]:
-    """Return what of a link is seen."""
+    """Return the visible part of a link."""
     found = []
     for visual in link.findall("visual"):
         place = pose @ _pose(robot.path, visual.find("origin"))
@@ -289,7 +289,7 @@ def _geometry(robot: _Robot, visual: ElementTree.Element) -> list[SourceSurface]
         return surfaces_of(creation.cylinder(radius, length, sections=24), linear=False)
     if first.tag == "sphere":
         return surfaces_of(creation.icosphere(2, radius), linear=False)
-    raise _refused(path, f"has a shape {first.tag[:40]!r}; shapes are mesh, box, cylinder, sphere")
+    raise refused(path, f"has a shape {first.tag[:40]!r}; shapes are mesh, box, cylinder, sphere")
 
 
 def _mesh_file(robot: _Robot, name: str) -> Path:
@@ -327,16 +327,12 @@ def _numbers(path: Path, text: str, count: int) -> Floats:
     except ValueError:
         values = np.zeros(0)
     if len(values) != count or not np.isfinite(values).all():
-        raise _refused(path, f"has {text[:60]!r} where {count} finite numbers belong")
+        raise refused(path, f"has {text[:60]!r} where {count} finite numbers belong")
     return values
 
 
 def _named(path: Path, element: ElementTree.Element) -> str:
     name = element.get("name")
     if not name:
-        raise _refused(path, f"has a {element.tag} without a name")
+        raise refused(path, f"has a {element.tag} without a name")
     return name
-
-
-def _refused(path: Path, why: str) -> MansionError:
-    return MansionError(ErrorCode.INVALID_PAYLOAD, f"{path.name} {why}", details={"file": str(path)})

@@ -22,10 +22,10 @@ class MaterialSet(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     procedure : str
         ``module.function`` of `mansion_assets.materials.families`.
     size : (width, height)
-        Of the tile, metres.
+        Size of the tile, metres.
     pixels : (columns, rows)
     parameters : dict
-        Of the procedure.
+        Arguments of the procedure.
     fitted : bool
         Whether one tile fills each body that shows it, as a painting its canvas; its size is then 1 by 1.
     """

@@ -36,7 +36,7 @@ class TextureSet(msgspec.Struct, frozen=True):
     Attributes
     ----------
     size : (width, height)
-        Of the tile, metres.
+        Size of the tile, metres.
     level : (r, g, b)
         Mean of the base colour, sRGB from 0 to 1: a material's own colour over this is the tint.
     own_colours : bool

@@ -1,4 +1,4 @@
-"""Cabinets that are known by their room: below a kitchen's worktop, in a bathroom, below a television."""
+"""Cabinets of particular rooms: below a kitchen's worktop, in a bathroom, below a television."""
 
 from mansion_assets.builder import Builder
 from mansion_assets.catalogue.receptacles import BOARD

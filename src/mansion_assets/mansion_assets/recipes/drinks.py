@@ -1,4 +1,4 @@
-"""Drinks that are known by what holds them: a can of cola, a bottle of beer, a jug of water."""
+"""Drinks told by what holds them: a can of cola, a bottle of beer, a jug of water."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Machines that examine patients and keep them alive."""
+"""Machines that examine patients and keep them alive: scanners, ventilators, dialysis, anaesthesia, incubators."""
 
 import math
 

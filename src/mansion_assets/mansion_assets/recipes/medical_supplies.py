@@ -1,4 +1,4 @@
-"""Small things of wards: syringes, dishes, gloves, bandages, medicine."""
+"""Small supplies of wards: syringes, dishes, gloves, bandages, medicine."""
 
 import math
 

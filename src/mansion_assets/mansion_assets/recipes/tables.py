@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Final
 
 from mansion_assets.builder import Builder
 from mansion_assets.catalogue.receptacles import Receptacle, inset, surface
@@ -10,7 +10,10 @@ from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
 
-__all__ = ["end_panels", "four_legs", "sled_frames", "table_top", "tee_frames"]
+__all__ = ["PRINT", "end_panels", "four_legs", "sled_frames", "table_top", "tee_frames"]
+
+PRINT: Final = 0.002
+"""Thickness of what is drawn on a top, metres; it lies within the height of the table, so that objects stand on it."""
 
 
 def _supports(b: Builder, style: str, z: float, frame: str) -> None:

@@ -1,24 +1,20 @@
-"""Tables that are known by what is drawn on their tops and hangs below them: for meals, lessons and the garden."""
+"""Tables of particular rooms, told by what is drawn on their tops: for meals, lessons and the garden."""
 
 import math
-from typing import Final
 
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace
-from mansion_assets.recipes.tables import four_legs, sled_frames, tee_frames
+from mansion_assets.recipes.tables import PRINT, four_legs, sled_frames, tee_frames
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
-
-_PRINT: Final = 0.002
-"""Thickness of what is drawn on a top, metres; it lies within the height of the table, so that things stand on it."""
 
 Place = tuple[float, float]
 
 
 def _flush_top(b: Builder, thick: float) -> DrawnFace:
     """Add a top, round or square, that ends 2 mm below the table's height, and return its face."""
-    z = b.h - _PRINT
+    z = b.h - PRINT
     if b.p.get("shape") == "round":
         b.lathe([(0.485, b.h - thick), (0.5, z - 0.01), (0.5, z)], b.mat(), stretch=(b.w, b.d), part="top", n=32)
     else:
@@ -40,10 +36,10 @@ def dining_table(b: Builder) -> None:
     for u, v in seats:
         turned = not along_x and abs(u) > abs(v)
         _place_setting(face, (u, v), r, turned=turned)
-    face.disc(0.0, 0.0, r * 0.5, "leaf_58a83a", "flowers", _PRINT * 0.6, 14)
+    face.disc(0.0, 0.0, r * 0.5, "leaf_58a83a", "flowers", PRINT * 0.6, 14)
     for k in range(5):
         a = k * math.tau / 5
-        face.disc(math.cos(a) * r * 0.34, math.sin(a) * r * 0.34, r * 0.2, "fabric_e8386a", "flowers", _PRINT, 10)
+        face.disc(math.cos(a) * r * 0.34, math.sin(a) * r * 0.34, r * 0.2, "fabric_e8386a", "flowers", PRINT, 10)
 
 
 def _place_setting(face: DrawnFace, at: Place, r: float, *, turned: bool) -> None:
@@ -51,7 +47,7 @@ def _place_setting(face: DrawnFace, at: Place, r: float, *, turned: bool) -> Non
 
     def field(u: Place, v: Place, color: str, part: str, share: float) -> None:
         across, up = (v, u) if turned else (u, v)
-        face.field((at[0] + across[0], at[0] + across[1]), (at[1] + up[0], at[1] + up[1]), color, part, _PRINT * share)
+        face.field((at[0] + across[0], at[0] + across[1]), (at[1] + up[0], at[1] + up[1]), color, part, PRINT * share)
 
     field((-r * 1.35, r * 1.35), (-r * 0.98, r * 0.98), "fabric_2f5f9e", "mats", 0.3)
     for size, color, share in (
@@ -59,7 +55,7 @@ def _place_setting(face: DrawnFace, at: Place, r: float, *, turned: bool) -> Non
         (0.62, "ceramic_c8d4dc", 0.7),
         (0.55, "ceramic_ffffff", 0.9),
     ):
-        face.disc(at[0], at[1], r * size, color, "plates", _PRINT * share, 24)
+        face.disc(at[0], at[1], r * size, color, "plates", PRINT * share, 24)
     field((-r * 1.18, -r * 1.08), (-r * 0.8, r * 0.4), "metal_e8ecf0", "forks", 0.7)
     for k in range(3):
         field((-r * (1.28 - 0.11 * k), -r * (1.23 - 0.11 * k)), (r * 0.3, r * 0.8), "metal_e8ecf0", "forks", 0.8)
@@ -72,8 +68,8 @@ def cafeteria_table(b: Builder) -> None:
     """A long table of a canteen with trays on both sides, each with a plate of food, a cup, fruit, fork and knife."""
     face = _flush_top(b, 0.04)
     tee_frames(b, b.h - 0.04, b.mat("frame"))
-    face.field((-b.w / 2, b.w / 2), (-b.d / 2, -b.d / 2 + 0.02), "plastic_d8381e", "edges", _PRINT * 0.5)
-    face.field((-b.w / 2, b.w / 2), (b.d / 2 - 0.02, b.d / 2), "plastic_d8381e", "edges", _PRINT * 0.5)
+    face.field((-b.w / 2, b.w / 2), (-b.d / 2, -b.d / 2 + 0.02), "plastic_d8381e", "edges", PRINT * 0.5)
+    face.field((-b.w / 2, b.w / 2), (b.d / 2 - 0.02, b.d / 2), "plastic_d8381e", "edges", PRINT * 0.5)
     seats = max(2, round(b.w / 0.6))
     for k in range(seats):
         for side in (-1, 1):
@@ -84,18 +80,18 @@ def cafeteria_table(b: Builder) -> None:
 
 def _tray(face: DrawnFace, at: Place, half: Place, color: str) -> None:
     u, v = at
-    face.field((u - half[0], u + half[0]), (v - half[1], v + half[1]), color, "trays", _PRINT * 0.3)
+    face.field((u - half[0], u + half[0]), (v - half[1], v + half[1]), color, "trays", PRINT * 0.3)
     r = half[1] * 0.74
     left = u - half[0] * 0.22
-    face.disc(left, v, r, "ceramic_ffffff", "plates", _PRINT * 0.6, 20)
-    face.disc(left - r * 0.28, v + r * 0.1, r * 0.4, "food_8a4a1e", "food", _PRINT * 0.9, 12)
-    face.disc(left + r * 0.36, v + r * 0.3, r * 0.3, "food_4fb03a", "food", _PRINT * 0.9, 12)
-    face.disc(left + r * 0.2, v - r * 0.4, r * 0.32, "food_f5c83a", "food", _PRINT * 0.9, 12)
-    face.disc(u + half[0] * 0.68, v + half[1] * 0.45, half[1] * 0.32, "ceramic_ffffff", "cups", _PRINT * 0.6, 14)
-    face.disc(u + half[0] * 0.68, v + half[1] * 0.45, half[1] * 0.24, "food_f58a1e", "cups", _PRINT * 0.9, 14)
-    face.disc(u + half[0] * 0.7, v - half[1] * 0.45, half[1] * 0.26, "food_d8281e", "fruit", _PRINT * 0.9, 12)
-    face.field((u - half[0] * 0.92, u - half[0] * 0.84), (v - r, v + r), "metal_f4f6f8", "forks", _PRINT * 0.8)
-    face.field((u + half[0] * 0.36, u + half[0] * 0.44), (v - r, v + r), "metal_f4f6f8", "knives", _PRINT * 0.8)
+    face.disc(left, v, r, "ceramic_ffffff", "plates", PRINT * 0.6, 20)
+    face.disc(left - r * 0.28, v + r * 0.1, r * 0.4, "food_8a4a1e", "food", PRINT * 0.9, 12)
+    face.disc(left + r * 0.36, v + r * 0.3, r * 0.3, "food_4fb03a", "food", PRINT * 0.9, 12)
+    face.disc(left + r * 0.2, v - r * 0.4, r * 0.32, "food_f5c83a", "food", PRINT * 0.9, 12)
+    face.disc(u + half[0] * 0.68, v + half[1] * 0.45, half[1] * 0.32, "ceramic_ffffff", "cups", PRINT * 0.6, 14)
+    face.disc(u + half[0] * 0.68, v + half[1] * 0.45, half[1] * 0.24, "food_f58a1e", "cups", PRINT * 0.9, 14)
+    face.disc(u + half[0] * 0.7, v - half[1] * 0.45, half[1] * 0.26, "food_d8281e", "fruit", PRINT * 0.9, 12)
+    face.field((u - half[0] * 0.92, u - half[0] * 0.84), (v - r, v + r), "metal_f4f6f8", "forks", PRINT * 0.8)
+    face.field((u + half[0] * 0.36, u + half[0] * 0.44), (v - r, v + r), "metal_f4f6f8", "knives", PRINT * 0.8)
 
 
 @recipe("training_table")
@@ -115,16 +111,16 @@ def training_table(b: Builder) -> None:
         for k in range(12):
             along, up = -w * 0.38 + k * w * 0.76 / 11, panel[0] + (panel[1] - panel[0]) * (0.25 + 0.25 * row)
             holes.disc(along, up, 0.018, "plastic_1c2a3a", "holes", 0.002, 8)
-    face.field((-0.006, 0.006), (-d / 2, d / 2), "plastic_26272b", "joint", _PRINT * 0.5)
+    face.field((-0.006, 0.006), (-d / 2, d / 2), "plastic_26272b", "joint", PRINT * 0.5)
     for v in (-d * 0.3, d * 0.3):
-        face.field((-0.07, 0.07), (v - 0.03, v + 0.03), "metal_8a9096", "hinges", _PRINT)
+        face.field((-0.07, 0.07), (v - 0.03, v + 0.03), "metal_8a9096", "hinges", PRINT)
     for u in (-w * 0.25, w * 0.25):
-        face.field((u - w * 0.15, u + w * 0.15), (-d * 0.34, d * 0.3), "plastic_2f7fd0", "folders", _PRINT * 0.4)
-        face.field((u - w * 0.14, u + w * 0.14), (-d * 0.31, d * 0.27), "paper_ffffff", "folders", _PRINT * 0.6)
-        face.write("TRAINING", (u - w * 0.13, u + w * 0.13), (d * 0.05, d * 0.24), "plastic_d8281e", "letters", _PRINT)
+        face.field((u - w * 0.15, u + w * 0.15), (-d * 0.34, d * 0.3), "plastic_2f7fd0", "folders", PRINT * 0.4)
+        face.field((u - w * 0.14, u + w * 0.14), (-d * 0.31, d * 0.27), "paper_ffffff", "folders", PRINT * 0.6)
+        face.write("TRAINING", (u - w * 0.13, u + w * 0.13), (d * 0.05, d * 0.24), "plastic_d8281e", "letters", PRINT)
         for k in range(4):
             v = -d * (0.02 + 0.07 * k)
-            face.field((u - w * 0.12, u + w * 0.12), (v - 0.008, v + 0.008), "plastic_5a6470", "lines", _PRINT)
+            face.field((u - w * 0.12, u + w * 0.12), (v - 0.008, v + 0.008), "plastic_5a6470", "lines", PRINT)
 
 
 @recipe("patio_table")
@@ -184,14 +180,14 @@ def student_desk(b: Builder) -> None:
 
 def _exercise_book(face: DrawnFace, u: float, wide: float, d: float) -> None:
     """A blue exercise book with a white label, a pencil in a groove above it, and a ruler at its side."""
-    face.field((u - wide * 0.42, u + wide * 0.42), (d * 0.33, d * 0.42), "wood_5a4632", "groove", _PRINT * 0.3)
-    face.field((u - wide * 0.3, u + wide * 0.2), (d * 0.35, d * 0.4), "paint_f5c518", "pencil", _PRINT * 0.7)
-    face.field((u + wide * 0.2, u + wide * 0.27), (d * 0.36, d * 0.39), "wood_e8c89a", "pencil", _PRINT * 0.7)
-    face.field((u - wide * 0.35, u - wide * 0.3), (d * 0.35, d * 0.4), "plastic_e85f9a", "pencil", _PRINT * 0.7)
-    face.field((u - wide * 0.3, u + wide * 0.26), (-d * 0.42, d * 0.26), "paper_2f6fd0", "exercise_book", _PRINT * 0.4)
-    face.field((u - wide * 0.24, u + wide * 0.2), (-d * 0.2, d * 0.2), "paper_ffffff", "label", _PRINT * 0.7)
-    face.write("ABC", (u - wide * 0.22, u + wide * 0.18), (-d * 0.14, d * 0.16), "plastic_d8281e", "letters", _PRINT)
-    face.field((u + wide * 0.32, u + wide * 0.39), (-d * 0.4, d * 0.26), "wood_f0d890", "ruler", _PRINT * 0.5)
+    face.field((u - wide * 0.42, u + wide * 0.42), (d * 0.33, d * 0.42), "wood_5a4632", "groove", PRINT * 0.3)
+    face.field((u - wide * 0.3, u + wide * 0.2), (d * 0.35, d * 0.4), "paint_f5c518", "pencil", PRINT * 0.7)
+    face.field((u + wide * 0.2, u + wide * 0.27), (d * 0.36, d * 0.39), "wood_e8c89a", "pencil", PRINT * 0.7)
+    face.field((u - wide * 0.35, u - wide * 0.3), (d * 0.35, d * 0.4), "plastic_e85f9a", "pencil", PRINT * 0.7)
+    face.field((u - wide * 0.3, u + wide * 0.26), (-d * 0.42, d * 0.26), "paper_2f6fd0", "exercise_book", PRINT * 0.4)
+    face.field((u - wide * 0.24, u + wide * 0.2), (-d * 0.2, d * 0.2), "paper_ffffff", "label", PRINT * 0.7)
+    face.write("ABC", (u - wide * 0.22, u + wide * 0.18), (-d * 0.14, d * 0.16), "plastic_d8281e", "letters", PRINT)
+    face.field((u + wide * 0.32, u + wide * 0.39), (-d * 0.4, d * 0.26), "wood_f0d890", "ruler", PRINT * 0.5)
     for k in range(8):
         v = d * (-0.36 + 0.08 * k)
-        face.field((u + wide * 0.32, u + wide * 0.355), (v, v + d * 0.014), "plastic_26272b", "ruler", _PRINT)
+        face.field((u + wide * 0.32, u + wide * 0.355), (v, v + d * 0.014), "plastic_26272b", "ruler", PRINT)

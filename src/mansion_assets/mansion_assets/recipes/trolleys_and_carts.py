@@ -1,4 +1,4 @@
-"""Trolleys, shopping carts with their baskets, and luggage carts."""
+"""Trolleys, and carts for shopping, linen and luggage."""
 
 from typing import Any
 

@@ -5,11 +5,12 @@ from collections.abc import Mapping
 from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding
-from mansion_bringup.building.verdicts import Judge, Verdict, keeps_to, listed, met_if, spoken
+from mansion_bringup.building.verdicts import BOUNDS, Judge, Verdict, comma_separated, keeps_to, met_if
 from mansion_knowledge import default_knowledge
 from mansion_knowledge.places import places_of, use_of
 from mansion_msgs_py.shapes import Ring
 from mansion_msgs_py.wishes import AREA_TOLERANCE, Wish
+from mansion_msgs_py.wording import in_words
 
 __all__ = ["BUILDING_JUDGES"]
 
@@ -17,14 +18,11 @@ __all__ = ["BUILDING_JUDGES"]
 def _building_type(wish: Wish, state: JudgedBuilding) -> Verdict:
     kind = wish.value.type or wish.value.name
     if state.program.kind != kind:
-        return Verdict("not_met", f"planned as {spoken(state.program.kind)}")
+        return Verdict("not_met", f"planned as {in_words(state.program.kind)}")
     area = sum(floor.gross_floor_area for floor in state.program.floors)
     sized = wish.value.area is None or keeps_to(wish, area)
-    bound = f"{_BOUNDS[wish.value.limit]}{wish.value.area or 0.0:.0f} m2"
+    bound = f"{BOUNDS[wish.value.limit]}{wish.value.area or 0.0:.0f} m2"
     return met_if(sized, f"the building has {area:.0f} m2, {bound} would be so", partly=True)
-
-
-_BOUNDS = {"most": "at most ", "least": "at least ", "": ""}
 
 
 def _floors(wish: Wish, state: JudgedBuilding) -> Verdict:
@@ -80,7 +78,7 @@ def _outline(wish: Wish, state: JudgedBuilding) -> Verdict:
 
 
 def _turns(ring: Ring) -> str:
-    """Return how an outline turns at each corner; points on a straight line are no corners."""
+    """Return how an outline turns at each corner; points on a straight line are not corners."""
     crosses = [
         (bx - ax) * (cy - by) - (by - ay) * (cx - bx)
         for (ax, ay), (bx, by), (cx, cy) in zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
@@ -93,7 +91,7 @@ def _same_turns(turns: str, word: str) -> bool:
 
 
 def _style(wish: Wish, state: JudgedBuilding) -> Verdict:
-    return met_if(state.program.style == wish.value.name, f"the style is {spoken(state.program.style)}")
+    return met_if(state.program.style == wish.value.name, f"the style is {in_words(state.program.style)}")
 
 
 def _facade(wish: Wish, state: JudgedBuilding) -> Verdict:
@@ -122,11 +120,13 @@ def _grounds(wish: Wish, state: JudgedBuilding) -> Verdict:
 
 
 def _use(wish: Wish, state: JudgedBuilding) -> Verdict:
-    words = rf"\b{re.escape(spoken(wish.value.name))}\b"
+    words = rf"\b{re.escape(in_words(wish.value.name))}\b"
     uses = {floor.index: floor.requirement.split(":")[0] for floor in state.program.floors}
     missing = [floor for floor in wish.scope.floors if not re.search(words, uses.get(floor, ""))]
     ok = bool(wish.scope.floors) and not missing
-    return met_if(ok, f"storey {listed(missing)} has another use", partly=0 < len(missing) < len(wish.scope.floors))
+    return met_if(
+        ok, f"storey {comma_separated(missing)} has another use", partly=0 < len(missing) < len(wish.scope.floors)
+    )
 
 
 def _original(index: int, state: JudgedBuilding) -> int:

@@ -7,10 +7,11 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
-from mansion_bringup.building.verdicts import Judge, Verdict, listed, met_if, spoken
+from mansion_bringup.building.verdicts import Judge, Verdict, comma_separated, met_if
 from mansion_knowledge.object_kinds import answers
 from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.wishes import Wish, WishStatus
+from mansion_msgs_py.wording import in_words
 
 __all__ = ["INTERIOR_JUDGES"]
 
@@ -44,7 +45,7 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
         return Verdict("not_met", "the catalogue has nothing of this kind")
     rooms = _object_rooms(wish, state)
     if not rooms:
-        return Verdict("not_met", f"there is no {spoken(wish.scope.room)}")
+        return Verdict("not_met", f"there is no {in_words(wish.scope.room)}")
     counts: Counter[object] = Counter()
     for room in rooms:
         counts[room.full_id if wish.scope.room else room.floor] += _count(wish, room)
@@ -61,7 +62,7 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
         status, reason = "partly", f"{most} instead of {wanted} are there{where}"
     lost = [word for word in wish.value.unheeded if not _all_are(wish, rooms, word, wanted, planned=state.planned)]
     if status == "met" and lost:
-        status, reason = "partly", f"nothing was made of {listed([repr(word) for word in lost])}"
+        status, reason = "partly", f"nothing was made of {comma_separated([repr(word) for word in lost])}"
     return Verdict(status, reason, [room.full_id for room in having], found)
 
 
@@ -127,7 +128,7 @@ def _height(wish: Wish, state: JudgedBuilding) -> Verdict:
     wanted = wish.value.height or 0.0
     heights = [room.height for room in _of_type(wish, state)]
     if not heights:
-        return Verdict("not_met", f"there is no {spoken(wish.scope.room_type) or 'room'}")
+        return Verdict("not_met", f"there is no {in_words(wish.scope.room_type) or 'room'}")
     good = [height for height in heights if abs(height - wanted) <= _CEILING + 1e-6]
     low, high = f"{min(heights):.2f}", f"{max(heights):.2f}"
     have = low if low == high else f"{low} to {high}"
@@ -145,7 +146,7 @@ def _material(wish: Wish, state: JudgedBuilding) -> Verdict:
     if other is None or (not every and 2 * len(have) > len(rooms)):
         return met_if(bool(have), "there is no such room")
     near = have or [room for room in rooms if _is_of(room.surfaces[surface], wish.value.name, coloured=False)]
-    return met_if(False, f"{other.full_id} has {spoken(other.surfaces[surface])}", partly=bool(near))
+    return met_if(False, f"{other.full_id} has {in_words(other.surfaces[surface])}", partly=bool(near))
 
 
 def _clutter(wish: Wish, state: JudgedBuilding) -> Verdict:
@@ -189,7 +190,7 @@ def _substances(text: str) -> set[str]:
 
 
 def _material_words(text: str) -> set[str]:
-    return set(re.findall("[a-z]+", spoken(text.lower()).replace("gray", "grey")))
+    return set(re.findall("[a-z]+", in_words(text.lower()).replace("gray", "grey")))
 
 
 def _of_type(wish: Wish, state: JudgedBuilding) -> list[JudgedRoom]:

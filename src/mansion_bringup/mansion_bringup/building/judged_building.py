@@ -96,11 +96,11 @@ class JudgedRoom:
     Attributes
     ----------
     objects : Counter of str
-        Pieces by category; of a plan those that are asked for.
+        Pieces by category; in a plan, those that are asked for.
     object_ids : mapping of str to sequence of str
-        By category; empty in a plan.
+        Ids by category; empty in a plan.
     looks : mapping of str to sequence of Look
-        Of each object by category; in a plan of all that the catalogue has of a category.
+        Looks of the objects by category; in a plan, of all that the catalogue has in the category.
     things, receptacles : float
         How many objects lie on or in its receptacles, and the square metres of floor that these stand on.
     """

@@ -9,7 +9,7 @@ from mansion_bringup.building.building_wishes import BUILDING_JUDGES
 from mansion_bringup.building.interior_wishes import INTERIOR_JUDGES
 from mansion_bringup.building.judged_building import JudgedBuilding, finished_building, planned_building
 from mansion_bringup.building.room_wishes import ROOM_JUDGES
-from mansion_bringup.building.verdicts import Judge, Verdict, listed
+from mansion_bringup.building.verdicts import Judge, Verdict, comma_separated
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
@@ -47,7 +47,7 @@ def _judged(wish: Wish, state: JudgedBuilding) -> Wish:
         reason = f"{wish.reason}; {reason}" if reason else wish.reason
         verdict = Verdict("partly", reason, verdict.rooms, verdict.objects)
     elif verdict.status == "met" and wish.value.unheeded and wish.kind != "object":
-        reason = f"nothing was made of {listed([repr(word) for word in wish.value.unheeded])}"
+        reason = f"nothing was made of {comma_separated([repr(word) for word in wish.value.unheeded])}"
         verdict = Verdict("partly", reason, verdict.rooms, verdict.objects)
     return msgspec.structs.replace(
         wish, status=verdict.status, reason=reason, rooms=list(verdict.rooms), objects=list(verdict.objects)

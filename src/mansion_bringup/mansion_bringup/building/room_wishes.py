@@ -6,9 +6,10 @@ from dataclasses import replace
 from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
-from mansion_bringup.building.verdicts import Judge, Verdict, keeps_to, listed, met_if, spoken
+from mansion_bringup.building.verdicts import BOUNDS, Judge, Verdict, comma_separated, keeps_to, met_if
 from mansion_knowledge.room_kinds import is_one_of
 from mansion_msgs_py.wishes import Wish
+from mansion_msgs_py.wording import in_words
 
 __all__ = ["ROOM_JUDGES"]
 
@@ -34,7 +35,7 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
     if not rooms:
         elsewhere = state.called(value.name, value.type)
         if elsewhere:
-            where = listed(sorted({room.floor for room in elsewhere}))
+            where = comma_separated(sorted({room.floor for room in elsewhere}))
             return Verdict("partly", f"on storey {where} instead", [room.full_id for room in elsewhere])
         return Verdict("not_met", "no room of this kind found a place")
     wanted = _wanted(wish, state)
@@ -42,7 +43,9 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
         counts = Counter(room.floor for room in rooms)
         short = [floor for floor in floors if counts[floor] != (wanted or max(counts[floor], 1))]
         if short:
-            return Verdict("partly", f"storey {listed(short)} has {listed([counts[f] for f in short])}", ids)
+            return Verdict(
+                "partly", f"storey {comma_separated(short)} has {comma_separated([counts[f] for f in short])}", ids
+            )
     elif wanted is None and len(rooms) < 2:
         return Verdict("partly", "one room where several are asked for", ids)
     elif wanted is not None and (len(rooms) < wanted or (len(rooms) > wanted and not _may_be_more(wish))):
@@ -50,7 +53,7 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
     owners = state.called(wish.scope.room, wish.scope.room_type, floors) if wish.scope.room else []
     bare = [owner.full_id for owner in owners if not any(state.near(owner, room) for room in rooms)]
     if bare:
-        return Verdict("partly", f"{listed(bare[:3])} has none beside it", ids)
+        return Verdict("partly", f"{comma_separated(bare[:3])} has none beside it", ids)
     if value.area is not None:
         close = [
             room
@@ -59,7 +62,7 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
         ]
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
             sizes = ", ".join(f"{room.area:.3g}" for room in rooms[:4])
-            return Verdict("partly", f"{sizes} m2 instead of {_BOUNDS[value.limit]}{value.area:.3g} m2", ids)
+            return Verdict("partly", f"{sizes} m2 instead of {BOUNDS[value.limit]}{value.area:.3g} m2", ids)
     lack = _unusable(rooms, state) or _shut_off(rooms, state)
     return met_if(not lack, lack, partly=True, rooms=ids)
 
@@ -99,9 +102,6 @@ def _is_about(wish: Wish, room: JudgedRoom, state: JudgedBuilding) -> bool:
     return not scope.floors or room.floor in scope.floors
 
 
-_BOUNDS = {"most": "at most ", "least": "at least ", "": ""}
-
-
 def _meant_elsewhere(wish: Wish, room: JudgedRoom, state: JudgedBuilding) -> bool:
     """Whether another wish calls a room by its own name: "classroom 2B" is none of "four classrooms"."""
     stem, _, number = room.id.rpartition("_")
@@ -113,7 +113,7 @@ def _held(wish: Wish, state: JudgedBuilding) -> Verdict:
     """Judge what each flat or other unit is to hold: the room itself and those behind it count."""
     owners = state.called(wish.scope.unit, wish.scope.unit_type, wish.scope.floors)
     if not owners:
-        return Verdict("not_met", f"there is no {spoken(wish.scope.unit)}")
+        return Verdict("not_met", f"there is no {in_words(wish.scope.unit)}")
     wanted, ids, other, small = _wanted(wish, state), [], [], []
     for owner in owners:
         there = [owner, *state.behind(owner)]
@@ -125,11 +125,11 @@ def _held(wish: Wish, state: JudgedBuilding) -> Verdict:
         close = [room for room in rooms if _close(room.area, wish.value.area, state)]
         needed = len(rooms) if len(_alike(wish, state)) < 2 else min(wish.value.count or 1, len(rooms))
         if len(close) < needed:
-            small.append(f"{owner.full_id} has {listed([f'{room.area:.3g}' for room in rooms])} m2")
+            small.append(f"{owner.full_id} has {comma_separated([f'{room.area:.3g}' for room in rooms])} m2")
     if other:
-        return Verdict("partly" if ids else "not_met", listed(other[:3]), ids)
+        return Verdict("partly" if ids else "not_met", comma_separated(other[:3]), ids)
     held = [room for room in state.rooms if room.full_id in ids]
-    lack = listed(small[:3]) or _unusable(held, state)
+    lack = comma_separated(small[:3]) or _unusable(held, state)
     return met_if(not lack, lack, partly=True, rooms=ids)
 
 
@@ -182,10 +182,10 @@ def _adjacent(wish: Wish, state: JudgedBuilding) -> Verdict:
     pairs = [(a, b) for a in firsts for b in seconds if state.near(a, b)]
     ids = [room.full_id for pair in pairs[:1] for room in pair]
     if not firsts or not seconds:
-        return Verdict("not_met", f"there is no {spoken(wish.value.name if not firsts else wish.value.other)}")
+        return Verdict("not_met", f"there is no {in_words(wish.value.name if not firsts else wish.value.other)}")
     lonely = [a.full_id for a in firsts if a.full_id not in {first.full_id for first, _ in pairs}]
     if wish.scope.each and pairs and lonely:
-        return Verdict("partly", f"{listed(lonely[:3])} lies beside none", ids)
+        return Verdict("partly", f"{comma_separated(lonely[:3])} lies beside none", ids)
     sides = max(Counter(first.full_id for first, _ in pairs).values(), default=0)
     if pairs and sides < (wish.value.count or 1):
         return Verdict("partly", f"it lies beside {sides} of {wish.value.count}", ids)
@@ -194,7 +194,7 @@ def _adjacent(wish: Wish, state: JudgedBuilding) -> Verdict:
         return Verdict("partly", "no door or opening joins them", ids)
     shut = [first.full_id for first, _ in pairs if first.full_id not in joined]
     if wish.value.door and wish.scope.each and shut:
-        return Verdict("partly", f"no door or opening joins {listed(shut[:3])} to one", ids)
+        return Verdict("partly", f"no door or opening joins {comma_separated(shut[:3])} to one", ids)
     same = any(a.floor == b.floor for a in firsts for b in seconds)
     return met_if(bool(pairs), "they share no wall" if same else "they are on different storeys", rooms=ids)
 
@@ -206,7 +206,7 @@ def _apart(wish: Wish, state: JudgedBuilding) -> Verdict:
     )
     pairs = [(a, b) for a in firsts for b in seconds if state.near(a, b)]
     ids = [room.full_id for pair in pairs[:1] for room in pair]
-    both = f"{spoken(wish.value.name)} and {spoken(wish.value.other)}"
+    both = f"{in_words(wish.value.name)} and {in_words(wish.value.other)}"
     return met_if(not pairs, f"{both} share a wall", rooms=ids)
 
 
@@ -227,7 +227,7 @@ def _only(wish: Wish, state: JudgedBuilding) -> Verdict:
     asked = [room for room in here if room.type in named]
     theirs = {other.full_id for room in asked for other in state.behind(room)}
     extra = [room.full_id for room in here if room.type not in named | _WAYS and room.full_id not in theirs]
-    return met_if(not extra, f"{listed(extra[:3])} were added", rooms=extra)
+    return met_if(not extra, f"{comma_separated(extra[:3])} were added", rooms=extra)
 
 
 _WAYS = frozenset({"corridor", "hallway", "lobby", "stair", "elevator"})

@@ -2,12 +2,12 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from mansion_bringup.building.judged_building import JudgedBuilding
 from mansion_msgs_py.wishes import Wish, WishStatus
 
-__all__ = ["Judge", "Verdict", "keeps_to", "listed", "met_if", "spoken"]
+__all__ = ["BOUNDS", "Judge", "Verdict", "comma_separated", "keeps_to", "met_if"]
 
 
 @dataclass(frozen=True)
@@ -29,17 +29,16 @@ def met_if(ok: bool, reason: str, *, partly: bool = False, rooms: Sequence[str] 
     return Verdict("met", "", rooms) if ok else Verdict("partly" if partly else "not_met", reason, rooms)
 
 
+BOUNDS: Final = {"most": "at most ", "least": "at least ", "": ""}
+"""What comes before an area in words, by the limit of the wish for it."""
+
+
 def keeps_to(wish: Wish, area: float) -> bool:
     """Whether an area keeps to a wish's bound, but for a hundredth."""
     wanted = wish.value.area or 0.0
     return area <= 1.01 * wanted if wish.value.limit == "most" else area >= 0.99 * wanted
 
 
-def spoken(name: str) -> str:
-    """Return a name of the payloads in words."""
-    return name.replace("_", " ")
-
-
-def listed(values: Sequence[object]) -> str:
+def comma_separated(values: Sequence[object]) -> str:
     """Return values with commas between them."""
     return ", ".join(str(value) for value in values)

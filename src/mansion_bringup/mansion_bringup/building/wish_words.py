@@ -5,7 +5,7 @@ from typing import Final
 
 from mansion_language.inflection import is_plural, plural
 from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishStatus
-from mansion_msgs_py.wording import counted
+from mansion_msgs_py.wording import counted, in_words
 
 __all__ = ["STATUS_WORDS", "read_as", "receipt_summary"]
 
@@ -47,9 +47,9 @@ def receipt_summary(wishes: Sequence[Wish]) -> str:
 def _where(scope: Scope) -> str:
     parts = []
     if scope.room:
-        parts.append(f"in {'each ' if scope.each else ''}{_spaced(scope.room)}")
+        parts.append(f"in {'each ' if scope.each else ''}{in_words(scope.room)}")
     if scope.unit:
-        parts.append(f"in each {_spaced(scope.unit)}")
+        parts.append(f"in each {in_words(scope.unit)}")
     if scope.floors:
         parts.append(
             ("each of " if scope.each and not scope.room and len(scope.floors) > 1 else "") + _floors(scope.floors)
@@ -70,13 +70,9 @@ def _floors(numbers: list[int]) -> str:
     return f"floors {', '.join(map(str, numbers[:-1]))} and {numbers[-1]}"
 
 
-def _spaced(name: str) -> str:
-    return name.replace("_", " ")
-
-
 def _number_of(wish: Wish, name: str) -> str:
     """Return a count with its noun in the right number; several when the brief gives none."""
-    noun = _spaced(name)
+    noun = in_words(name)
     if wish.value.count is None:
         return noun if is_plural(noun) else plural(noun)
     return counted(wish.value.count, noun, noun if is_plural(noun) else plural(noun))
@@ -97,19 +93,19 @@ def _object(wish: Wish) -> str:
 
 
 def _building(wish: Wish) -> str:
-    return f"building: {_spaced(wish.value.name)}{_size(wish)}"
+    return f"building: {in_words(wish.value.name)}{_size(wish)}"
 
 
 def _absent(wish: Wish) -> str:
-    return f"no {_spaced(wish.value.name)}"
+    return f"no {in_words(wish.value.name)}"
 
 
 def _related(relation: str) -> Callable[[Wish], str]:
-    return lambda wish: f"{_spaced(wish.value.name)} {relation} {_spaced(wish.value.other)}"
+    return lambda wish: f"{in_words(wish.value.name)} {relation} {in_words(wish.value.other)}"
 
 
 def _named(noun: str) -> Callable[[Wish], str]:
-    return lambda wish: f"{noun}: {_spaced(wish.value.name)}" if wish.value.name else noun
+    return lambda wish: f"{noun}: {in_words(wish.value.name)}" if wish.value.name else noun
 
 
 def _amount(noun: str) -> Callable[[Wish], str]:

@@ -43,7 +43,7 @@ def check_building(path: Path | str, further: Sequence[FileCheck] = ()) -> list[
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` when `path` is no building folder.
+        ``NOT_FOUND`` when `path` is not a building folder.
     """
     folder = Path(path)
     check_building_folder(folder)

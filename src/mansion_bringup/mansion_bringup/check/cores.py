@@ -1,4 +1,6 @@
-"""Checks that stairs and lifts are aligned over all floors, have a door on each, and floors rest on one another."""
+"""Checks that stairs and lifts lie over one another with a door on each floor, that risers are within bounds, and that
+floors rest on one another.
+"""
 
 import itertools
 import math
@@ -9,12 +11,10 @@ from shapely import Point as ShapelyPoint
 from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
+from mansion_geometry.dog_legs import MAX_RISER, MIN_RISER
 from mansion_msgs_py.scene import FloorScene, SceneCore
 
 __all__ = ["check_cores"]
-
-RISERS = (0.15, 0.19)
-"""Lowest and highest riser of a stair, metres."""
 
 ROUNDING = 2e-3
 
@@ -48,7 +48,7 @@ def _on_floor(scene: FloorScene, core: SceneCore) -> Iterator[Fault]:
         yield Fault("CORE_FLOORS", where, f"states that it serves only {core.floors}")
     details = core.details
     riser = getattr(details, "riser", None)
-    if core.type == "stair" and riser is not None and not (RISERS[0] - 1e-6 <= riser <= RISERS[1] + 1e-6):
+    if core.type == "stair" and riser is not None and not (MIN_RISER - 1e-6 <= riser <= MAX_RISER + 1e-6):
         yield Fault("STAIR_RISER", where, f"{riser * 100:.1f} cm; 15 to 19 cm are allowed")
 
 

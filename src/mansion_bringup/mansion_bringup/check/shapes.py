@@ -68,7 +68,7 @@ _APART = 0.05
 """Metres between the lines of two edges that are one wall."""
 
 _SMALL_BAY = 0.02
-"""Share of the hull below which a recess is no part of the form."""
+"""Share of the hull below which a recess does not count as part of the form."""
 
 
 def shared_wall(first: SceneRoom, second: SceneRoom) -> float:

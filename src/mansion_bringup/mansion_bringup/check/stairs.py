@@ -9,13 +9,11 @@ from shapely import MultiPolygon, Polygon, box, unary_union
 from shapely.geometry.base import BaseGeometry
 
 from mansion_bringup.check.fault import Fault
+from mansion_geometry.dog_legs import MAX_RISER
 from mansion_msgs_py.scene import Box3, FloorScene, LiftDetails, SceneCore, StairDetails
 from mansion_msgs_py.shapes import Ring
 
 __all__ = ["check_ways_up"]
-
-HIGHEST_STEP: Final = 0.19
-"""Metres; a step above it is none, or one is missing below it."""
 
 NARROWEST_FLIGHT: Final = 0.75
 SHORTEST_GOING: Final = 0.22
@@ -66,7 +64,7 @@ def _steps(scene: FloorScene, where: str, stair: StairDetails, landing: Polygon)
     steps = sorted([*stair.treads, *stair.landings], key=lambda step: (step[1][2], step[0]))
     levels = [0.0, *(step[1][2] for step in steps), scene.height]
     for low, high in pairwise(levels):
-        if high - low > HIGHEST_STEP + ROUNDING:
+        if high - low > MAX_RISER + ROUNDING:
             yield Fault("STAIR_STEPS", where, f"rises {high - low:.2f} m in one step at {low:.2f} m")
     places = [landing, *map(_plan, steps), landing]
     for (first, second), level in zip(pairwise(places), levels[1:]):

@@ -117,7 +117,7 @@ def _status(wish: Wish, finished: FinishedBuilding) -> Iterator[Fault]:
 
 
 def _taken_for(wish: Wish, finished: FinishedBuilding) -> str:
-    """Say that something known stands for what is not, or which words are not heeded: it is met in part at best."""
+    """Say that something else was built in its place, or which words were ignored: it is met in part at best."""
     if wish.value.unheeded and wish.kind != "object":
         return f"it is not {' and '.join(wish.value.unheeded)}"
     stands_in = any(entry.id == wish.id and entry.reason for entry in finished.ledger)
@@ -322,7 +322,7 @@ def _wrong_areas(
 
 
 def _idle(finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
-    """Say which of some rooms nobody can use for what it is: too little stands in it of what the use needs."""
+    """Say which of some rooms cannot be used as what it is, because furniture that its use needs is missing."""
     for floor, room in rooms:
         objects = [thing for thing in finished.on(floor).objects if thing.room == room.id]
         refused = [
@@ -340,7 +340,7 @@ def _idle(finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) ->
                 return f"{room.id} cannot be used without {need.count} x {need.name}"
         driven_into = floor == GROUND_FLOOR and is_class(room.room_type, "vehicle")
         if driven_into and not any(None in door.rooms and room.id in door.rooms for door in scene.doors):
-            return f"nobody drives into {room.id}"
+            return f"no vehicle can drive into {room.id}"
     return ""
 
 

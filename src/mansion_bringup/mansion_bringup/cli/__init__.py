@@ -21,7 +21,7 @@ COLLECT_AFTER = 20_000
 
 
 def _require_text(arguments: Sequence[str]) -> None:
-    """Refuse bytes that are no UTF-8, which Python passes on as characters that no file or message can hold."""
+    """Refuse bytes that are not UTF-8, which Python passes on as characters that no file or message can hold."""
     for number, argument in enumerate(arguments, start=1):
         try:
             argument.encode()

@@ -262,7 +262,7 @@ def _provide_decomposition() -> None:
     try:
         ensure_extra("convex")
     except MansionError as error:
-        err.print(f"what collides will be boxes, not convex hulls: {error.info.message}", highlight=False)
+        err.print(f"collision shapes will be boxes, not convex hulls: {error.info.message}", highlight=False)
 
 
 def _up(name: str) -> Any:

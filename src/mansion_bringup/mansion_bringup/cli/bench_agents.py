@@ -95,7 +95,7 @@ def chosen_agents(names: str) -> tuple[str, ...]:
     chosen = tuple(name.strip() for name in names.split(",") if name.strip())
     if not chosen:
         known = ", ".join(AGENTS)
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"--agents names none; known are {known}")
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"--agents names no agent; agents are {known}")
     check_agents(list(chosen))
     return chosen
 

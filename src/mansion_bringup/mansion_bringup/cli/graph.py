@@ -279,7 +279,7 @@ def _listen(node: Any, topic: str, received: Any, *, as_json: bool) -> bool:
 
 
 def _one_line(text: str) -> str:
-    """Return the JSON of a payload as one line; what is no JSON becomes a JSON text."""
+    """Return the JSON of a payload as one line; text that is not JSON becomes a JSON string."""
     try:
         return encode(decode(object, text))
     except MansionError:

@@ -39,7 +39,7 @@ def look(
     room: Annotated[
         str, typer.Option(help="Look at this room from its best place, or from a stair or lift, of any floor.")
     ] = "",
-    floor: Annotated[int | None, typer.Option(help="Of the landmarks, or of the place to look from.")] = None,
+    floor: Annotated[int | None, typer.Option(help="Floor of the landmarks, or of the place to look from.")] = None,
     turn: Annotated[float, typer.Option(help="Degrees to the left of where it looks.")] = 0.0,
     width: Annotated[int, typer.Option(help="Pixels.", min=16, max=4096)] = 640,
     height: Annotated[int, typer.Option(help="Pixels.", min=16, max=4096)] = 480,

@@ -51,7 +51,7 @@ def print_receipt(wishes: Sequence[Wish]) -> None:
 
 
 def print_plan_notes(downgrades: Sequence[Downgrade]) -> None:
-    """Print what was made of what a given plan leaves open, or has otherwise than it is built."""
+    """Print what was decided where a given plan leaves something open, or is not built as it is drawn."""
     for entry in downgrades:
         floor = "" if entry.floor is None else f"floor {entry.floor}, "
         out.print(f"{floor}{entry.wish}: {entry.got} ({entry.reason})", markup=False, highlight=False)

@@ -102,8 +102,8 @@ def find_settings(named: Path | None, root: Any) -> SettingsFile:
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` for a named file that is not there, ``INVALID_PAYLOAD`` with the place of what is no setting, of a
-        value that does not fit, and of what only a named file may say.
+        ``NOT_FOUND`` for a named file that is not there, ``INVALID_PAYLOAD`` with the place of a key that is not a
+        setting, of a value that does not fit, and of a setting that only a named file may have.
     """
     if named is None and not DEFAULT_FILE.is_file():
         return SettingsFile()
@@ -197,7 +197,9 @@ class _Reader:
     def _checked(self, place: str, parameter: Any, value: Any) -> Any:
         """Return a value as the parser takes it, after the option's own check."""
         if parameter.is_flag is not isinstance(value, bool):
-            raise self._fault(place, "must be true or false" if parameter.is_flag else "is no switch; give its value")
+            raise self._fault(
+                place, "must be true or false" if parameter.is_flag else "is not a switch; give it a value"
+            )
         items = value if isinstance(value, list) else [value]
         if not all(isinstance(item, str | int | float) for item in items):
             raise self._fault(place, "must be a string, a number, or a list of them")

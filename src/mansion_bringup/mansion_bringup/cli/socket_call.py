@@ -103,7 +103,7 @@ def json_argument(text: str) -> Any:
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` for a file that cannot be read, ``INVALID_PAYLOAD`` for what is no JSON.
+        ``NOT_FOUND`` for a file that cannot be read, ``INVALID_PAYLOAD`` for text that is not JSON.
     """
     if not text.startswith("@"):
         return decode(object, text)

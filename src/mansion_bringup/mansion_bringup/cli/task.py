@@ -87,7 +87,7 @@ def _in_words(name: str) -> Task:
     if "tasks" in decode_from(dict[str, Any], data, file):
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD,
-            f"{file} is a set of tasks, which are grounded: `mansion task run {file}` does them; "
+            f"{file} is a set of tasks that are already grounded: `mansion task run {file}` does them; "
             "`mansion task ground` takes one task in words, as `mansion task paper NAME -o FILE` writes it",
         )
     return decode_from(Task, data, file)
@@ -147,7 +147,7 @@ def generate(
     tasks = make(sandbox, count, seed, kind)
     if len(tasks) < count:
         found = counted(len(tasks), "task")
-        err.print(f"the building has only {found} that differ", highlight=False)
+        err.print(f"the building has only {found} without repeating one", highlight=False)
     _write(tasks, building, sandbox.building.building_id, output)
 
 

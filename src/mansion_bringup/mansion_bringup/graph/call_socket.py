@@ -61,7 +61,7 @@ _CREDENTIALS: Final = struct.Struct("3i")
 
 
 class Greeting(msgspec.Struct, frozen=True):
-    """What a graph says to whom it answers."""
+    """What a graph says to a command that connects to it."""
 
     version: str = __version__
     protocol: int = 2
@@ -76,7 +76,7 @@ class Call(msgspec.Struct, frozen=True):
 
 
 class Told(msgspec.Struct, frozen=True, tag=True):
-    """How far a call is, in words."""
+    """Progress of a call, in words."""
 
     text: str
 
@@ -214,7 +214,7 @@ def receive(connection: socket.socket, kind: type[T]) -> T:
     EOFError
         When the other end has closed.
     msgspec.DecodeError
-        When it is none of that kind.
+        When it is a message of another kind.
     """
     (length,) = _LENGTH.unpack(_exactly(connection, _LENGTH.size))
     return msgspec.json.decode(_exactly(connection, length), type=prepared(kind))

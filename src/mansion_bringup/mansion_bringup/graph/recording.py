@@ -39,7 +39,7 @@ def definition_of(kind: Any) -> str:
     Parameters
     ----------
     kind : type
-        A generated message class. Constants are no part of what it says.
+        A generated message class. Its constants are left out.
     """
     fields: dict[str, tuple[str, ...]] = {}
     _collect(kind, fields)

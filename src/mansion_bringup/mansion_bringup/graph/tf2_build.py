@@ -172,7 +172,7 @@ def _check_environment() -> None:
     if os.environ.get("AMENT_PREFIX_PATH"):
         distribution = os.environ.get("ROS_DISTRO", "jazzy")
         raise _unavailable(
-            f"a ROS 2 is sourced, which has a package of tf2_msgs: sudo apt install ros-{distribution}-tf2-msgs"
+            f"a ROS 2 is sourced, which has its own package of tf2_msgs: sudo apt install ros-{distribution}-tf2-msgs"
         )
     wheels = ("lib/libgeometry_msgs__rosidl_generator_c.so", "include/geometry_msgs", "share/geometry_msgs")
     if not all(Path(sys.prefix, name).exists() for name in wheels):

@@ -57,7 +57,7 @@ class BuildingDirector(MansionNode):
             "floors_at_once",
             2,
             ParameterDescriptor(
-                description="floors of one building in work at the same time",
+                description="floors of one building worked on at the same time",
                 integer_range=[IntegerRange(from_value=1, to_value=64, step=1)],
             ),
         )

@@ -21,7 +21,7 @@ RELATION = 0.1
 """Share of a floor that a relation which is not met counts as: areas come before neighbours."""
 
 _KEPT = 0.15
-"""By what share a room's area may differ from the one that was planned."""
+"""Share by which a room's area may differ from the planned one."""
 
 _WALL = 0.3
 """Metres of wall from which on rooms are side by side."""

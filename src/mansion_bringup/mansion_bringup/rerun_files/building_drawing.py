@@ -31,7 +31,7 @@ Place = tuple[int, str]
 
 
 class BuildingDrawing:
-    """Draws the floors of a building, and what of them changed.
+    """Draws the floors of a building, and what changed on them.
 
     Parameters
     ----------

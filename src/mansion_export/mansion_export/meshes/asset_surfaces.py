@@ -23,9 +23,9 @@ def asset_surfaces(key: str, catalogue: Catalogue, color: str = "", picture: str
     key : str
     catalogue : Catalogue
     color : str
-        Of the main material; its own where it is empty.
+        Colour of the main material; if empty, the one that the asset has.
     picture : str
-        Material of the painting that the asset carries; that of the mesh where it is empty.
+        Material of the painting that the asset carries; if empty, that of the mesh.
     """
     asset = catalogue.asset(key)
     return part_surfaces(mesh(asset), asset.material, color, picture)

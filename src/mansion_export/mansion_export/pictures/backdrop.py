@@ -29,7 +29,7 @@ WOODS: Final = np.array([0.60, 0.68, 0.62])
 """Colour of the trees at the horizon, with the haze before them."""
 
 _COARSE: Final = 8
-"""Pixels of the sky's picture that are told together: it has no sharp edges."""
+"""Pixels of the sky's picture that are computed together: it has no sharp edges."""
 
 _CLOUDS: Final = ((0.12, 0.22, 0.10), (0.33, 0.09, 0.07), (0.55, 0.30, 0.11), (0.78, 0.13, 0.09), (0.95, 0.33, 0.08))
 """Middle, across and down, and half the width of clouds, as shares of the picture's width."""

@@ -217,7 +217,7 @@ def shade_pixels(
     Parameters
     ----------
     depth, index : (2 height, 2 width) arrays
-        Of samples: towards the eye, metres; the triangle, -1 for none.
+        Depth of each sample towards the eye, metres, and its triangle, -1 for none.
     glass : (2 height, 2 width) array
         The nearest triangle of glass before them, -1 for none; of no length where there is no glass.
     faces : arrays

@@ -1,4 +1,4 @@
-"""A building as one sees it from across the street."""
+"""A building as seen from across the street, its panes mirroring the sky."""
 
 import math
 from collections.abc import Sequence
@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from shapely.geometry import box
 
+from mansion_assets.materials import set_of
 from mansion_export.exterior.fronts import front_of
 from mansion_export.meshes.model import Model, Node
+from mansion_export.meshes.solids import SIDES
 from mansion_export.pictures.backdrop import HORIZON, ground_surfaces, sky
-from mansion_export.pictures.glazing import mirroring
 from mansion_export.pictures.projecting import bounds, project, seen_from, turned
 from mansion_export.pictures.renderer import Camera, Triangles, flatten, photograph
+from mansion_export.pictures.texture_sampling import texture_number
 from mansion_geometry.compiled import Floats
 from mansion_knowledge import is_class
 from mansion_msgs_py.scene import FloorScene
@@ -21,7 +23,7 @@ from mansion_msgs_py.scene import FloorScene
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-__all__ = ["StreetView"]
+__all__ = ["StreetView", "mirroring"]
 
 FOCAL: Final = 1.45
 """Focal length as a share of the picture's width: about 38 degrees across."""
@@ -44,6 +46,9 @@ _GROUND: Final = ("/plot/lawn", "/plot/path", "/plot/parking", "/plot/apron")
 SHAPES: Final = (0.36, 0.56)
 """The lowest and the tallest picture, as shares of the width."""
 
+TONES: Final = np.array([(0.94, 0.97, 1.0), (0.8, 0.85, 0.9), (0.86, 0.88, 0.88), (0.7, 0.76, 0.82), (1.0, 1.0, 0.98)])
+"""What the sky in a pane is multiplied with: rooms behind are bright or dark, curtains open or drawn."""
+
 
 class StreetView:
     """What is seen of a building from the street.
@@ -51,9 +56,9 @@ class StreetView:
     Parameters
     ----------
     models : sequence of Model
-        Of all floors, lowest first.
+        Models of all floors, lowest first.
     scenes : sequence of FloorScene
-        Of the same floors.
+        Scenes of the same floors.
     """
 
     def __init__(self, models: Sequence[Model], scenes: Sequence[FloorScene]) -> None:
@@ -170,3 +175,26 @@ def _outside(node: Node, inner: set[str]) -> bool:
     if node.group in ("structure", "windows", "doors"):
         return node.id not in inner and node.id.removesuffix("/leaf") not in inner
     return node.group == "ceiling" and (node.id.endswith("/roof") or "/chimney_" in node.id)
+
+
+def mirroring(triangles: Triangles) -> Triangles:
+    """Return triangles whose boxes of glass are opaque and show the sky, each pane in a tone of its own."""
+    glass = np.flatnonzero(triangles.alpha < 0.99)
+    if not len(glass) or len(glass) % len(SIDES):
+        return triangles
+    corners = triangles.corners[glass].reshape(-1, len(SIDES) * 3, 3)
+    low, high = corners.min(axis=1), corners.max(axis=1)
+    height = np.maximum(high[:, 2] - low[:, 2], 1e-3)[:, None]
+    extent = high - low
+    turned = (extent[:, 1] > extent[:, 0])[:, None]
+    across = np.where(turned, corners[..., 1], corners[..., 0]) / height
+    up = (corners[..., 2] - low[:, None, 2]) / height
+    # Neighbours differ, and the same building always looks the same.
+    numbers = np.round((low + high) @ (3.1, 5.3, 7.7)).astype(np.int64) % len(TONES)
+    colors, alpha = triangles.colors.copy(), triangles.alpha.copy()
+    textures, coordinates = triangles.textures.copy(), triangles.coordinates.copy()
+    colors[glass] = np.repeat(TONES[numbers], len(SIDES), axis=0)
+    alpha[glass] = 1.0
+    textures[glass] = texture_number(set_of("mirroring_glass"))
+    coordinates[glass] = np.stack([across, up], axis=-1).reshape(-1, 3, 2)
+    return replace(triangles, colors=colors, alpha=alpha, textures=textures, coordinates=coordinates)

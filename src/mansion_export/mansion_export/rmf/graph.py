@@ -1,4 +1,4 @@
-"""Waypoints and lanes of a building: in its rooms, through its doors and in its lifts."""
+"""Waypoints, lanes and chargers of a building: in its rooms, through its doors and in its lifts."""
 
 import math
 from collections import Counter

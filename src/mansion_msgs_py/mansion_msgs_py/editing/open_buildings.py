@@ -46,7 +46,7 @@ class EditorInfo(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class CancelEdit(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Arguments of ``scene/cancel``: in which open building to end the edit in work; in any when absent."""
+    """Arguments of ``scene/cancel``: the open building whose running edit is to end; any building when absent."""
 
     editor: Text | None = None
 

@@ -22,7 +22,7 @@ def declare_allowed_folders(node: Node, *more: str) -> AllowedFolders:
         Folders that other parameters name at the start.
     """
     descriptor = ParameterDescriptor(
-        description="folders below which services may write, beside the working folder and the temporary one",
+        description="folders below which services may write, besides the working folder and the temporary one",
         read_only=True,
     )
     # An empty array has no type for rclpy; one empty string stands for none.

@@ -1,4 +1,4 @@
-"""Stairs and lifts of a plan: rooms that lie over each other on all floors, as the cores of the building."""
+"""Stairs and lifts of a plan: rooms that lie above one another on all floors, as the cores of the building."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -17,7 +17,7 @@ from mansion_planner.given_plan.storeys import PlanStorey, StoreyRoom
 
 __all__ = ["CoreDoor", "core_boxes", "landing_door", "landing_of", "stair_height", "with_cores"]
 
-_SAME = 0.5  # share of their area in which two cores lie over each other
+_SAME = 0.5  # share of their area in which two cores overlap in plan
 _SHIFT = 0.3  # metres by which they may be drawn apart
 _SNAP = 2e-3
 _SHAFT = 1.1
@@ -106,7 +106,7 @@ def _core_box(stack: _Stack, findings: Findings) -> tuple[float, float, float, f
         assert shape is not None
         x0, y0, x1, y1 = (round(float(value), 4) for value in shape.bounds)
         if shape.area < _RECTANGLE * box(x0, y0, x1, y1).area:
-            findings.fault(floor, room.name, "is no rectangle along the walls, as stairs and lifts are", room.place)
+            findings.fault(floor, room.name, "must be a rectangle along the walls, as stairs and lifts are", room.place)
             sound = False
         elif core is None:
             core = (x0, y0, x1, y1)
@@ -186,7 +186,7 @@ class CoreDoor:
 def landing_of(core: CorePlan, doors: Sequence[CoreDoor]) -> CorePlan:
     """Return a stair that says at which end its landings are: where its doors on all floors open on to them.
 
-    Of two such ends it is the one nearer to where the plan has the doors.
+    Where both ends qualify, the one nearer to the doors of the plan is taken.
     """
     if core.type != "stair" or not doors:
         return core

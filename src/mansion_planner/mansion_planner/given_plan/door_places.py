@@ -80,7 +80,7 @@ def placed_doors(
 ) -> tuple[list[GivenDoor], list[GivenDoor]]:
     """Return the doors of a drawn storey, those with a place on their walls, and the doors that cannot be built.
 
-    Why not goes to `findings`, but for doors of rooms whose own fault is told already.
+    The reasons go to `findings`, except for doors of rooms whose own fault is reported already.
     """
     given: list[GivenDoor] = []
     failed: list[GivenDoor] = []

@@ -1,4 +1,4 @@
-"""A storey of a plan made ready: its walls, doors and windows, and the room that it is walked from."""
+"""A storey of a plan with its walls, doors and windows placed, and the main room that the others are reached from."""
 
 import math
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""A plan that the user has into program, room graphs and problems, as if the planner had drawn it."""
+"""Turn a plan that the user gives into program, room graphs and problems, as if the planner had drawn it."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -18,7 +18,7 @@ from mansion_planner.brief_checks import check_length, check_size, check_underst
 from mansion_planner.given_plan.cores import core_boxes, landing_of, stair_height, with_cores
 from mansion_planner.given_plan.faults import Findings
 from mansion_planner.given_plan.floors import GivenFloor, core_doors, given_floor, with_stair_doors
-from mansion_planner.given_plan.requested import planned_storey
+from mansion_planner.given_plan.planned_storey import planned_storey
 from mansion_planner.given_plan.room_gaps import joined_rooms
 from mansion_planner.given_plan.storeys import PlanStorey, read_storeys, suggested_building
 from mansion_planner.given_plan.writing import problem_of, program_of, topology_of

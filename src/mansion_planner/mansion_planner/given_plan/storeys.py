@@ -1,4 +1,4 @@
-"""The storeys of a plan in metres: rooms with ids, types and shapes, and what of their shapes cannot be."""
+"""The storeys of a plan in metres: rooms with ids, types and shapes, and faults of their shapes."""
 
 import math
 from collections import Counter
@@ -346,7 +346,7 @@ def _shape(
     shape = Polygon(rings[0], rings[1:])
     point = shape.representative_point()
     if not shape.is_valid:
-        findings.fault(number, name, "its holes are not inside of it, apart from each other", (point.x, point.y))
+        findings.fault(number, name, "its holes must lie inside it, apart from each other", (point.x, point.y))
         return None
     if not _LEAST_AREA <= shape.area <= MAX_FLOOR_AREA:
         limits = f"{_LEAST_AREA} to {MAX_FLOOR_AREA:.0f} m2 are built"

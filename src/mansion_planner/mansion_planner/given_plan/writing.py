@@ -1,4 +1,4 @@
-"""A plan written down as the planner writes what it draws: program, room graphs, problems and wishes."""
+"""A plan in the payloads that the planner writes: program, room graphs, problems and wishes."""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -30,7 +30,7 @@ from mansion_planner.brief.facts import BriefFacts
 from mansion_planner.given_plan.door_places import LEAST_WALL
 from mansion_planner.given_plan.faults import Findings
 from mansion_planner.given_plan.floors import GivenFloor
-from mansion_planner.given_plan.requested import planned_storey
+from mansion_planner.given_plan.planned_storey import planned_storey
 from mansion_planner.given_plan.storeys import StoreyRoom
 from mansion_planner.program.building import clutter_of, materials_of, with_elevations
 from mansion_planner.program.decisions import Decisions

@@ -66,7 +66,7 @@ class StatementFacts:
     facts : BriefFacts
         `unread` has the words that the model itself calls not understood.
     spans : tuple of Span
-        Of the usable statements that are understood, asides included.
+        Spans of the usable statements that are understood, asides included.
     kinds : tuple of str
         Their kinds.
     faults : tuple of Fault

@@ -48,7 +48,7 @@ class ProgramPlannerNode(MansionNode):
         return reply
 
     def cancel(self, arguments: CancelPlan) -> CanceledPlans:
-        """Ask the plan in work to end, where it is of the building that is named."""
+        """Ask the running plan to end, if it is for the building that is named."""
         plans = self._plans.cancel(lambda plan: arguments.building_id in (None, plan))
         return CanceledPlans(plans=plans)
 

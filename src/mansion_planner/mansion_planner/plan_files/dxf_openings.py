@@ -35,10 +35,10 @@ class Mark:
     Attributes
     ----------
     lines : tuple of tuple of Point
-        Of everything but arcs.
+        Lines of everything but arcs.
     arcs : tuple of Arc
     handle : str
-        Of its first entity in the drawing.
+        Handle of its first entity in the drawing.
     """
 
     lines: tuple[tuple[Point, ...], ...]

@@ -66,7 +66,7 @@ def _add(floor: dict[str, Any], properties: dict[str, Any], geometry: dict[str, 
         return
     if kind not in _LISTS:
         known = ", ".join([*_LISTS, "outline"])
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"kind {kind!r} is none of {known}", path=f"{path}.properties")
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"kind {kind!r} is not one of {known}", path=f"{path}.properties")
     entry = {name: said for name, said in properties.items() if name in _FIELDS[kind]}
     if kind == "room":
         if shape != "Polygon":

@@ -49,7 +49,7 @@ class _Storey:
     Attributes
     ----------
     level : float
-        Of its floor, metres.
+        Height of its floor, metres.
     ids : dict of int to str
         What doors call each space, by its number in the file.
     """

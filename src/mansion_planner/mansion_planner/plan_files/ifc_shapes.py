@@ -1,4 +1,4 @@
-"""What a plan needs of the bodies in an IFC file: floors of spaces, and places of openings, in metres."""
+"""Shapes from the bodies of an IFC file: floors of spaces, and places of openings, in metres."""
 
 import importlib
 from collections.abc import Sequence

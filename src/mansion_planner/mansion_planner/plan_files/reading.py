@@ -1,4 +1,4 @@
-"""One reader for all files of plans: which format a file has is told by its ending, and by what is in it."""
+"""One reader for all files of plans: the format follows from the ending, and in JSON from the content."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -49,7 +49,7 @@ def read_plan(
     Raises
     ------
     MansionError
-        ``NOT_FOUND``; ``INVALID_PAYLOAD`` for what is no plan; ``UNAVAILABLE`` where the extra is missing.
+        ``NOT_FOUND``; ``INVALID_PAYLOAD`` for a file that is not a plan; ``UNAVAILABLE`` where the extra is missing.
     """
     file, wanted = _parted(path)
     kind = extra_for(path)

@@ -22,8 +22,8 @@ _MOST: Final = 40.0
 def entered_as_told(sketch: Sketch, wishes: Sequence[AdjacencyFact]) -> Sketch:
     """Return a sketch in which rooms are reached from the rooms that a brief has them entered from.
 
-    Of the two it is the one outdoors, else the first named, that is reached from the other instead of a corridor. It
-    stays as it is where they share no wall that takes a door, or where others are reached through it.
+    The room outdoors, else the first named, is reached from the other one instead of from a corridor. It stays as it is
+    where they share no wall that takes a door, or where others are reached through it.
 
     Parameters
     ----------

@@ -41,7 +41,7 @@ _RATIOS = (1.0, 1.3, 1.7)
 _MOST_AISLES = 5
 
 _THROUGH = (3.0, 1.6, 0.0)
-"""From what area on, in squares of a band's depth, a room takes the depth of two bands; all are tried."""
+"""Areas from which a room takes the depth of two bands, in squares of a band's depth; all are tried."""
 
 _LEAST_REST = 4.0
 """Least length of the two bands beside rooms that take the depth of both, metres."""

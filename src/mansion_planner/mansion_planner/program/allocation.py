@@ -70,7 +70,7 @@ class Allocation:
 
 
 MANY = 6
-"""From so many pieces on, furniture that the brief puts in no room gets one that usually has as many."""
+"""Number of pieces from which furniture that the brief puts in no room gets a room that usually has as many."""
 
 _IN_STEAD = 0.5
 """Share of the pieces usual in the building's own room for them that a stated room takes to get them instead."""

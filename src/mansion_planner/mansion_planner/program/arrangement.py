@@ -96,7 +96,7 @@ def best_arrangement(
     best: tuple[tuple[int, int, float], Arrangement] | None = None
     home = decisions.building.family == "home"
     attempts = _ATTEMPTS if decisions.outline is None and not decisions.free_form else 1
-    # Of several depths without a fault the first is taken: seeds begin at different ones.
+    # The first depth without a fault is taken, and each seed begins at another one.
     free = home and not decisions.area_stated
     first = int(item_generator(decisions.seed, "first depth").integers(_FIRST)) if free else 0
     asked = {storey.index: base_rooms(storey, allocation, knowledge) for storey in storeys}

@@ -9,6 +9,7 @@ from mansion_planner.program.model import Box, Massing, PlannedRoom, Storey, Win
 from mansion_planner.program.widths import widened
 
 __all__ = [
+    "Place",
     "Segment",
     "bring_to_end",
     "bring_together",
@@ -20,6 +21,9 @@ __all__ = [
     "with_door_first",
     "with_rows",
 ]
+
+Place = tuple[int, int]
+"""Number of a segment, and of a block in it."""
 
 _BESIDE_NICHE = 2.0
 """Least metres of corridor of a room that also has the floor behind lifts."""
@@ -382,19 +386,15 @@ def with_rows(segments: Sequence[Segment], rows: Sequence[Sequence[Block]]) -> l
     return [msgspec.structs.replace(segment, blocks=tuple(row)) for segment, row in zip(segments, rows)]
 
 
-_Place = tuple[int, int]
-"""Number of a segment, and of a block in it."""
-
-
-def _places_of(segments: Sequence[Segment], name: str) -> list[_Place]:
+def _places_of(segments: Sequence[Segment], name: str) -> list[Place]:
     return [
         (s, i) for s, segment in enumerate(segments) for i, block in enumerate(segment.blocks) if _holds(block, name)
     ]
 
 
 def _best_swap(
-    segments: Sequence[Segment], places: Sequence[_Place], goals: Sequence[_Place]
-) -> tuple[_Place, _Place, int] | None:
+    segments: Sequence[Segment], places: Sequence[Place], goals: Sequence[Place]
+) -> tuple[Place, Place, int] | None:
     """Return which block goes to the segment of which other, and the number there of the one that it changes with.
 
     Its segments are as full after the exchange as before, or nearly so; ``None`` where no exchange does that.
@@ -416,7 +416,7 @@ def _best_swap(
     return (places[n], goals[m], k) if m >= 0 else (goals[-1 - m], places[n], k)
 
 
-def misfit_of_exchange(segments: Sequence[Segment], one: _Place, other: _Place) -> float:
+def misfit_of_exchange(segments: Sequence[Segment], one: Place, other: Place) -> float:
     """How far the worse of two segments is from full after they exchange a block, as a share of its length."""
     s, t = segments[one[0]], segments[other[0]]
     ours, theirs = s.blocks[one[1]], t.blocks[other[1]]

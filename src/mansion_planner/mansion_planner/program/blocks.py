@@ -35,7 +35,7 @@ LEAST_FRONT = 1.3
 
 
 _WALL = 0.15
-"""What walls and rounding take of a room's width, metres."""
+"""Width of a room that walls and rounding take, metres."""
 
 
 def least_sides(room: PlannedRoom) -> tuple[float, float]:
@@ -70,7 +70,7 @@ class Block(msgspec.Struct, frozen=True):
     smalls : tuple of PlannedRoom
         Rooms too small for the band's depth, also reached from the corridor.
     least : float
-        Metres of front that its place asks for.
+        Metres of front that its place requires.
     passage : float
         Square metres of the passage around which host and small rooms lie, rectangles all; 0 where the small rooms are
         cut from the host's corner.
@@ -98,7 +98,7 @@ class Block(msgspec.Struct, frozen=True):
 
     @property
     def least_width(self) -> float:
-        """Metres of corridor that its rooms need at least."""
+        """Least length of corridor that its rooms need, metres."""
         own = 0.0 if self.fixed or self.smalls else _least_across(self.host)
         return max(self.least, own, sum(least_sides(room)[0] for room in self.fronts()))
 
@@ -162,7 +162,7 @@ _MOST_AT_PASSAGE = 4
 """Rooms around one passage."""
 
 _LONGEST_AT_PASSAGE = 3.2
-"""Long side to the short one that the rooms around a passage have at most."""
+"""Greatest ratio of long to short side of the rooms around a passage."""
 
 
 def _clusters(
@@ -200,7 +200,7 @@ def _clusters(
 
 
 _MOST_SERVICE = 24.0
-"""Square metres of a room that may lie at a side passage at most."""
+"""Greatest area of a room that may lie at a side passage, square metres."""
 
 _ALONE = 4.0
 """Price of a room that is left for the corner of another, in units of a room's long side to its short one."""
@@ -231,7 +231,7 @@ def _wishes(block: Block) -> tuple[Wish, ...]:
 
 
 _SHORT_SIDE = 1.6
-"""Least short side of a room at a passage, metres; of a very small one less."""
+"""Least short side of a room at a passage, metres; less for a very small one."""
 
 
 def passage_of(block: Block, width: float, depth: float) -> Box | None:
@@ -260,7 +260,7 @@ _WINDOWED = 2.5
 """Least width of a room of a band's whole depth that must have a window, metres."""
 
 _SLENDER = 0.88 * STRIP
-"""Depth to width of such a room at most, which may still be laid somewhat smaller."""
+"""Greatest ratio of depth to width of such a room, which may still be laid somewhat smaller."""
 
 
 def _wide_enough(room: PlannedRoom, depth: float) -> PlannedRoom:
@@ -309,7 +309,7 @@ def _spare_front(block: Block, depth: float) -> float:
 
 
 _WHOLE = 12.0
-"""Price of a corner of a room that is of use as a rectangle alone; more than that of rooms that are wanted together."""
+"""Price of cutting a corner from a room that is only useful as a rectangle; above that of parting wished neighbours."""
 
 
 def _fit(block: Block, room: PlannedRoom, depth: float, pairs: Sequence[tuple[str, str]]) -> float:
@@ -403,7 +403,7 @@ def _lay_one(
 
 
 _NARROWEST_BATH, _DEEPEST_BATH = 1.7, 0.5
-"""Width of a bath in the front corner of a narrow room at least, metres, and its share of the depth at most."""
+"""Least width of a bath in the front corner of a narrow room, metres, and its greatest share of the depth."""
 
 
 def _lay_columns(host: PlannedRoom, width: float, depth: float, scale: float) -> list[tuple[PlannedRoom, list[Box]]]:

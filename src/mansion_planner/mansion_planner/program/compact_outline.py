@@ -60,7 +60,7 @@ def compact_l(area: float, seed: int, step: float = _HALF) -> Polygon:
     seed : int
         Chooses among the outlines that meet it.
     step : float
-        Of the coordinates, metres.
+        Step of the coordinates, metres.
 
     Examples
     --------

@@ -350,8 +350,7 @@ def _turned_in(
 ) -> tuple[list[Corridor], list[Placement]]:
     """Return corridors and rooms, the hall of a home no longer than its doors need: a room at its end has the rest.
 
-    Of the rooms on both sides of the end it is the one that stays the more compact, and no wet one or one of a stated
-    area.
+    The room is the one beside the end that stays the more compact; wet rooms and rooms of a stated area are left alone.
     """
     last = [c for c in corridors if _is_main(c)][-1]
     x0, low, _, high = last.boxes[0]

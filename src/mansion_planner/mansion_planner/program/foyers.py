@@ -1,4 +1,4 @@
-"""The foyer of a public building: floor beside the entrance that its hub has, where the rooms leave some."""
+"""The foyer of a public building: floor of its hub beside the entrance, where the rooms leave some."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""How much floor the furniture needs that a brief wants in a room whose area it does not state."""
+"""The floor that furniture needs which a brief wants in a room without a stated area."""
 
 from collections.abc import Sequence
 
@@ -27,11 +27,11 @@ _ANY = "room"
 """A room of no particular type."""
 
 _REST = 4.0
-"""Floor for what else such a room has, square metres."""
+"""Floor for the other furniture of such a room, square metres."""
 
 
 def furniture_areas(rooms: Sequence[RoomFact], objects: Sequence[ObjectFact]) -> dict[str, float]:
-    """Return by name of the room the square metres that the furniture wanted in each such room needs.
+    """Return the square metres that the wanted furniture needs in each such room, by the room's name.
 
     The empty name is for furniture that the brief wants in no particular room.
     """

@@ -114,7 +114,7 @@ def _others(rooms: int, *, home: bool) -> list[_Arrangement]:
 
 
 _FEW = 3
-"""So many rooms need not line the whole north side of a hall."""
+"""Number of rooms that need not line the whole north side of a hall."""
 
 
 def _ill_shape(sketch: Sketch) -> float:
@@ -132,11 +132,11 @@ def _ill_shape(sketch: Sketch) -> float:
 
 
 _FITS = 1.3
-"""By how many times a room may be larger or smaller than planned and still fit."""
+"""Factor by which a room may be larger or smaller than planned and still fit."""
 
 
 def _misfit(placement: Placement) -> float:
-    """By how many times a room is larger or smaller than planned, beyond what fits."""
+    """Return by how much the ratio of a room's area to the planned one, or its inverse, exceeds what fits."""
     planned, area = max(placement.room.area, 0.1), max(placement.area, 0.1)
     return max(planned / area, area / planned, _FITS) - _FITS
 
@@ -220,7 +220,7 @@ def _divided(
 
 
 def _for_column(east: list[Block], column: float) -> list[Block]:
-    """Return the blocks of the far side, those apart whose small rooms would be too narrow in a column so wide."""
+    """Return the blocks of the far side, split where their small rooms would be too narrow in the column."""
     found: list[Block] = []
     for block in east:
         deep = max((least_sides(room)[1] for room in block.smalls), default=0.0)
@@ -230,7 +230,7 @@ def _for_column(east: list[Block], column: float) -> list[Block]:
 
 
 _LONG = 2.4
-"""Long side to the short one of a small room up to which it lies in a column by itself."""
+"""Greatest ratio of long to short side of a small room that lies in a column by itself."""
 
 
 def _apart(block: Block, column: float) -> list[Block]:

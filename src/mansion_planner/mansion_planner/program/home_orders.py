@@ -1,4 +1,4 @@
-"""In which order the rooms of a home line its hall: so that the hall is short, and day rooms lie side by side."""
+"""The order in which the rooms of a home line its hall: with a short hall, and day rooms side by side."""
 
 import itertools
 from collections.abc import Callable, Iterator, Sequence

@@ -82,23 +82,23 @@ def vertical_method(
 
 
 _SQUEEZE = 1.3
-"""By how much rooms may ask for more than the stated area, at their least usual sizes: they are then made smaller."""
+"""Factor by which rooms at their least usual sizes may exceed the stated area: they are then made smaller."""
 
 _TINY, _TINY_SQUEEZE = 60.0, 1.7
-"""Storeys of up to so many square metres are for people who want small rooms; these may ask for so much more."""
+"""Square metres up to which a storey is for people who want small rooms, and by how much these may ask for more."""
 
 _LARGER = 1.25
 """Area of a storey of a home or hall that is called large, as a share of what its rooms usually take."""
 
 _HOPELESS = 1.5
-"""From what share of the stated area on no building can hold the rooms asked for."""
+"""Share of the stated area above which no building can hold the rooms asked for."""
 
 
 _OF_STOREY = 0.6
 """Greatest share of a usual storey for its main room, where the brief tells the others."""
 
 _SEAT = 2.2
-"""Square metres of a hall for each person whom it is for."""
+"""Square metres of a hall for each person that it is for."""
 
 
 def _hub_of(storey: Storey, decisions: Decisions, allocation: Allocation) -> float:
@@ -189,7 +189,7 @@ def _is_counted(storeys: Sequence[Storey], allocation: Allocation) -> bool:
 
 
 _KINDS_TOLD, _KINDS_A_STOREY = 5, 3.0
-"""Kinds of rooms, in all and for each storey, from which on a brief tells what a building holds."""
+"""Number of kinds of rooms, in all and for each storey, from which a brief says what a building holds."""
 
 _BEYOND_TOLD = 1.2
 """Area of a storey of such a building at most, as a share of what its rooms take, where nobody states it."""
@@ -586,7 +586,7 @@ def _cores(
 
 
 _AROUND = 0.7
-"""By how many metres the way from the far corner of a lobby is longer than the lobby is deep."""
+"""Metres by which the way from the far corner of a lobby exceeds the depth of the lobby."""
 
 
 def _is_dead_end(wish: MassingWish, lobby: float) -> bool:

@@ -143,7 +143,7 @@ class Storey:
 
 
 PUBLIC_STAIR: Final = (3, 6)
-"""Width and length of a core with two flights of 1.4 m, which many people use at once and leave by, metres."""
+"""Width and length of a core with two flights of 1.4 m, for many people at once and as an exit, metres."""
 
 LIFT: Final = 2
 """Side of a lift's shaft, metres."""
@@ -218,7 +218,7 @@ class Massing:
     Attributes
     ----------
     length : float
-        Of the main bar.
+        Length of the main bar.
     north, corridor, south : float
         Depth of the band above the corridor, width of the corridor, depth of the band below it; in a hall the hub
         itself takes `corridor`, and `south` is 0.
@@ -232,7 +232,7 @@ class Massing:
     hall : bool
         The hub is the main room, which the others line.
     aisles : Aisles, optional
-        Of a storey too deep for one corridor; `north`, `corridor` and `south` then only add up to its depth.
+        Corridors of a storey too deep for one; `north`, `corridor` and `south` then only add up to its depth.
     """
 
     length: float
@@ -278,7 +278,7 @@ class Massing:
 
 
 DOOR_WALL = 1.22
-"""Least straight wall that a sketch gives an access edge: the solver's 1.20 m and what rounding takes, metres."""
+"""Least straight wall that a sketch gives an access edge: the solver's 1.20 m and a margin for rounding, metres."""
 
 
 @dataclass(frozen=True)
@@ -319,7 +319,7 @@ class Sketch:
     loose : bool
         Rooms have areas and a room graph, and no places: the floor solver finds them.
     placed : Sketch, optional
-        Of a loose sketch, the one with places that it was made from: a layout that certainly exists.
+        For a loose sketch, the one with places that it was made from: a layout that certainly exists.
     bearing : dict of float to list of (float, float)
         Stretches along x, by their y, where both sides of the main corridor are walls.
     """

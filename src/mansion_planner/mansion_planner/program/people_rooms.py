@@ -1,4 +1,4 @@
-"""Rooms and workplaces for the people whom a brief names."""
+"""Rooms and workplaces for the people that a brief names."""
 
 from collections.abc import Mapping, Sequence
 
@@ -14,7 +14,7 @@ from mansion_planner.program.storeys import entries_of
 __all__ = ["SLEPT_IN_TOGETHER", "bed_rooms", "people_rooms", "place_requests", "place_rooms", "professional_rooms"]
 
 _STAFF = frozenset({"employee", "worker", "staff", "visitor", "teacher", "family"})
-"""Occupants who are not counted by the rooms that a building has for those whom it serves."""
+"""Occupants who do not count among those that a building's rooms serve."""
 
 _VISITORS = frozenset({"visitor", "guest", "customer", "client", "patient", "family", "child", "kid"})
 """Occupants who have no place of work."""
@@ -31,7 +31,7 @@ _ENTRANCE = 50.0
 """Square metres of the entrance storey for its lobby and what belongs to it."""
 
 _USUAL = 14.0
-"""Square metres that a stated room takes at least when places are shared out over storeys."""
+"""Least square metres that a stated room takes when places are shared out over storeys."""
 
 _MOST_PLACES = 0.8
 """Greatest share of what a storey has free for its places: people there meet, and go to the toilet."""
@@ -41,7 +41,7 @@ _WORTH = 0.5
 
 
 def people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomFact, str] | None:
-    """Return the rooms that stated occupants need (classrooms for pupils, bedrooms for a family), and that in words."""
+    """Return the rooms that stated occupants need (classrooms for pupils, bedrooms for a family), and the reason."""
     facts, seats = decisions.facts, decisions.building.seats
     if not facts.occupants:
         return None
@@ -71,9 +71,9 @@ def _sleepers(people: OccupantFact) -> int:
 
 
 def professional_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[tuple[RoomFact, str]]:
-    """Return the rooms that people of a profession have one each of, and that in words: four doctors consult in four.
+    """Return rooms of which each person of a profession has one, and the reason: four doctors have four such rooms.
 
-    Hospitals and schools, which have rooms for those whom they serve, and homes are not planned so.
+    Hospitals and schools, which have rooms for the people they serve, and homes are not planned so.
     """
     building = decisions.building
     if building.family == "home" or building.seats is not None:

@@ -234,7 +234,7 @@ def _storey_faults(storey: Storey, sketch: Sketch) -> float:
     kitchens, group, utility = (_of(placed, kinds) for kinds in (_KITCHENS, _GROUP, _UTILITY))
     price = _SLENDER_PRICE * sum(p.room.kind.daylight and aspect(p.boxes) > _SLENDER for p in placed)
     if storey.hub.daylight and sketch.corridors:
-        # The room that the others line is no placed room: whether it is a strip is told here alone.
+        # The room that the others line is not among the placed rooms, so whether it is a strip is checked here.
         form = aspect(sketch.corridors[0].boxes)
         price += _SLENDER_PRICE * (form > _SLENDER) + (form > STRIP)
     if kitchens and group and storey.hub.name not in _GROUP:

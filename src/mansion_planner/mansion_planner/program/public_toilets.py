@@ -19,22 +19,22 @@ _STALL, _BASIN = 5.75, 8.0
 """Square metres of a restroom for each water closet or urinal, and for each washbasin, with the ways to them."""
 
 _WALLS = 1.6
-"""Square metres that walls take of a restroom."""
+"""Square metres of a restroom that its walls take."""
 
 _WOMENS = 2.0
-"""Water closets of a restroom for women at least: one alone makes a queue (planning practice)."""
+"""Least water closets of a restroom for women: one alone makes a queue (planning practice)."""
 
 _MENS = 0.75
 """Least area of a restroom for men to that for women (planning practice: as many fixtures, some of them urinals)."""
 
 _OF_CHILDREN = 3.0
-"""Water closets of a washroom for small children at least, whom two grown-ups take there in groups."""
+"""Least water closets of a washroom for small children, who go there in groups with two adults."""
 
 _CHILDRENS = frozenset({"kindergarten_classroom", "nursery_room"})
 """Rooms of children who go to washrooms of their own."""
 
 _OF_GUESTS = frozenset({"restaurant", "ballroom", "conference_hall"})
-"""Rooms of a hotel that many come to who do not sleep there."""
+"""Rooms of a hotel that many people visit who do not sleep there."""
 
 _LOOSE = 0.4
 """Share of a storey's rooms without a stated area from which on toilets take more than the rules ask for."""
@@ -49,7 +49,7 @@ _TURNING = 10.0
 """Square metres of a restroom from which a wheelchair turns between its fixtures."""
 
 _DRAWN = 1.05
-"""People whom rooms hold as they are drawn, to those of the planned areas: walls give and take a little."""
+"""People that rooms hold as they are drawn, to those by their planned areas: walls give and take a little."""
 
 TOILETS = ("restroom", "toilet", "accessible_toilet")
 """Types of rooms that "the toilets" of a building may be."""
@@ -87,8 +87,8 @@ def with_public_toilets(
 ) -> list[PlannedRoom]:
     """Return the rooms of a storey of a public building with the toilets of the rules.
 
-    Those of the entrance storey serve whom the other storeys have too few for; an upper storey has toilets only where
-    its own list has. Toilets that the brief counts, sizes or refuses stay as they are.
+    Those of the entrance storey also serve people for whom the other storeys have too few; an upper storey has toilets
+    only where its own list has. Toilets that the brief counts, sizes or refuses stay as they are.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def _need_of(
     hub: float,
     others: Served,
 ) -> _Need | None:
-    """Return what a storey needs for its own people, and of the building's for whom the others have too few.
+    """Return what a storey needs for its own people, and for those of other storeys that have too few.
 
     Toilets grow with the other rooms, so that their fixtures are counted for `rooms` as they are chosen; whether men
     and women have their own depends on how many people the `grown` rooms hold.
@@ -239,7 +239,7 @@ def _within(toilets: list[PlannedRoom], most: float) -> list[PlannedRoom]:
 
 
 def _area_for(closets: float, basins: float) -> float:
-    """Return the square metres of a restroom with so many closets and washbasins; with one of each it is small."""
+    """Return the square metres of a restroom by its numbers of closets and washbasins; with one of each it is small."""
     several = [each * math.ceil(number) for each, number in ((_STALL, closets), (_BASIN, basins)) if number > 1]
     return max([_LEAST, *(area + _WALLS for area in several)])
 

@@ -1,17 +1,15 @@
-"""Keep rooms apart that the brief does not want side by side."""
+"""Exchange blocks of rooms so that rooms which the brief does not want side by side lie apart."""
 
 import itertools
 from collections.abc import Iterable, Sequence
 
-from mansion_planner.program.bands import Segment, with_rows
+from mansion_planner.program.bands import Place, Segment, with_rows
 from mansion_planner.program.blocks import Block
 
 __all__ = ["keep_apart", "parted"]
 
 Pair = tuple[str, str]
 
-Place = tuple[int, int]
-"""Number of a segment, and of a block in it."""
 
 _MISFIT = 0.25
 """How far an exchange may leave a stretch from full, as a share of its length."""
@@ -32,9 +30,7 @@ def parted(first: Block, second: Block, apart: Iterable[Pair]) -> bool:
 
 
 def keep_apart(segments: Sequence[Segment], apart: Sequence[Pair], together: Sequence[Pair]) -> list[Segment]:
-    """Return the segments with blocks exchanged until none has a neighbour that it is to be apart from.
-
-    As far as the lengths allow.
+    """Return the segments with blocks exchanged so that, if the lengths allow, no rooms to be kept apart adjoin.
 
     Parameters
     ----------

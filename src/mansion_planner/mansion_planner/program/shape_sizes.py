@@ -1,4 +1,4 @@
-"""How large a storey is at least for its outline to have a shape."""
+"""The least area of a storey for an outline of a shape, such as an L, and how many storeys an area is enough for."""
 
 __all__ = ["holds_shape", "least_area", "most_storeys"]
 

@@ -1,4 +1,4 @@
-"""What a step of the planner tells of its work, beside what it decides."""
+"""The record of a step of the planner: lines of its trace, and statements of the brief that gave way."""
 
 from dataclasses import dataclass
 

@@ -37,7 +37,7 @@ __all__ = [
 
 
 MOST_ROOMS = 34
-"""From so many rooms of a storey on, none is added that only fills up."""
+"""Number of rooms of a storey from which on none is added merely to fill it."""
 
 
 def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[PlannedRoom]:
@@ -150,7 +150,7 @@ def fill_storey(
     hub_share : float
         Area that the hub takes of it, where the hub is the main room.
     most_rooms : int
-        From so many rooms on, none is added that only fills up.
+        Number of rooms from which on none is added merely to fill the storey.
     elsewhere : collection of str
         Types of rooms that other storeys have although the brief does not ask for them.
     """

@@ -10,6 +10,7 @@ from mansion_knowledge.stand_ins import answers_when_told, stands_in
 from mansion_language import singular
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
+from mansion_msgs_py.wording import in_words
 from mansion_planner.brief.bounds import Limit
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, FloorRef, ObjectFact, RoomFact, Span
 from mansion_planner.brief.furniture_words import own_furniture_of
@@ -165,10 +166,6 @@ _QUALIFIED = frozenset({"total_area", "room", "object", "stair", "elevator", "bu
 """Kinds of wishes for things that can have properties."""
 
 
-def _spaced(name: str) -> str:
-    return name.replace("_", " ")
-
-
 _AS_NAMED = {"bedroom": ("cabin", "berth", "chamber"), "private_office": ("office",), "open_kitchen": ("dining_room",)}
 """Last words of names for which a room type is what they say, whoever uses the room."""
 
@@ -176,15 +173,15 @@ _AS_NAMED = {"bedroom": ("cabin", "berth", "chamber"), "private_office": ("offic
 def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase, family: str) -> str:
     """Say what is planned in the place of a room of which nothing is known, or that is another thing."""
     if stands_in("rooms", room.room_type, room.name, family):
-        return f"planned and furnished like {_spaced(room.room_type)}"
+        return f"planned and furnished like {in_words(room.room_type)}"
     if "accessible" in room.name.split("_") and "accessible" not in room.room_type:
-        return f"planned and furnished like any {_spaced(room.room_type)}"
+        return f"planned and furnished like any {in_words(room.room_type)}"
     if room.known or room.name == f"{room.room_type}_room":
         return ""  # "a kennel room"
     told = answers_when_told(room.room_type) and told_room_type(room.name, knowledge) == room.room_type
     if told or room.name.endswith(_AS_NAMED.get(room.room_type, ("-",))):
         return ""
-    return f"no such room is known; planned and furnished like {_spaced(room.room_type)}"
+    return f"no such room is known; planned and furnished like {in_words(room.room_type)}"
 
 
 def _stand_in_for(wanted: ObjectFact) -> str:
@@ -193,7 +190,7 @@ def _stand_in_for(wanted: ObjectFact) -> str:
     only = not wanted.excluded and stands_in("objects", wanted.category, noun)
     if not only or own_furniture_of(tuple(noun.replace("-", " ").split())):
         return ""
-    return f"no such thing is in the catalogue; {_spaced(wanted.category)} stands for it"
+    return f"no such thing is in the catalogue; {in_words(wanted.category)} stands for it"
 
 
 class _Ledger:
@@ -264,11 +261,11 @@ class _Ledger:
             if span.words:
                 value = WishValue(name=facts.building_name or name, type=name, area=area, limit=limit)
                 only = stands_in("buildings", name, span.words)
-                reason = f"planned and furnished like any {_spaced(name)}" if only else ""
+                reason = f"planned and furnished like any {in_words(name)}" if only else ""
                 self.add("building_type", span, value, reason=reason)
         for span in facts.building_span[:1]:
             kind = decided.building.name
-            reason = f"no such kind of building is known; planned like {_spaced(kind)}"
+            reason = f"no such kind of building is known; planned like {in_words(kind)}"
             value = WishValue(name=facts.building_name, type=kind, area=area, limit=limit)
             self.add("building_type", span, value, reason=reason)
         for quantity in facts.floors:

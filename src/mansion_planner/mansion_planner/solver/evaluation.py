@@ -192,7 +192,7 @@ def figures(scores: list[PlanScore], *, resamples: int = 1000, seed: int = 0) ->
     resamples : int
         Bootstrap samples.
     seed : int
-        Of their random draws.
+        Seed of the bootstrap's random draws.
     """
     point = _figures(scores)
     rng = np.random.default_rng(seed)

@@ -38,8 +38,8 @@ MOST_SWAPPED = 2.0
 """Ratio of areas up to which two rooms may swap."""
 
 LONG_SHARE, PARTIAL_SHARE, DEEPER_SHARE = 3, 6, 3
-"""One wall in so many is shifted along all rooms behind it; is cut off at its upper, and at its lower end; and one step
-in so many goes a line further."""
+"""Each is 1 in so many: walls shifted along all rooms behind them, walls cut off at their upper and at their lower end,
+and steps that go a line further."""
 
 LONG_BITS, PARTIAL_BITS, OUTWARD_BITS = 4, 12, 20
 """First bits of a random number that decide on these and on the direction; the two lowest decide on the side.

@@ -1,4 +1,4 @@
-"""The room graph of a floor problem: its hub, who reaches whom, and zones that vanish into their members.
+"""The room graph of a floor problem: its hub, the parent of each room, and zones that vanish into their members.
 
 A node of type ``area`` is a zone: it is split completely and vanishes. Its children open onto the zone's parent unless
 they have another access edge, and an edge from elsewhere to the zone goes to its largest member.

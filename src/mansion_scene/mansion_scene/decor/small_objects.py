@@ -393,7 +393,7 @@ _FACTORS = {"sparse": 0.35, "dense": 2.5}
 def with_clutter(arrangements: Sequence[Arrangement], clutter: Clutter) -> list[Arrangement]:
     """Return arrangements of small objects that lay out fewer or more than usual.
 
-    Place settings stay as they are: a laid table is no clutter.
+    Place settings stay as they are: a laid table is not clutter.
 
     Examples
     --------

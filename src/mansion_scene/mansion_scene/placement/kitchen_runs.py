@@ -39,7 +39,7 @@ Piece = tuple[Spec, Size3]
 
 
 def run_pieces(anchor: Spec, specs: Sequence[Spec]) -> list[Spec]:
-    """Return what stands in a run with some worktops at a wall; nothing where the anchor of a group is no worktop."""
+    """Return what stands in a run with some worktops at a wall; nothing unless the anchor of a group is a worktop."""
     if anchor.role.fitment != "worktop" or anchor.where != "edge" or anchor.rows:
         return []
     return [

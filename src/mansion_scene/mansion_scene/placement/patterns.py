@@ -32,7 +32,7 @@ BACK_TO_BACK = 0.4
 """Least gap between the seats of neighbouring tables that people pass through, metres."""
 
 _BETWEEN_BEDS = 0.5
-"""Least gap between beds in a row that nobody asks for a number of, metres."""
+"""Least gap between beds in a row where no number of beds is asked for, metres."""
 
 _FORKLIFT_AISLES = (3.0, 2.6, 2.2, 1.8)
 """Widths of the aisles between pallet racks that are tried, metres: a reach truck turns in 2.7 m."""
@@ -44,13 +44,13 @@ _LEGS = 0.5
 """Least distance between the rows of an audience, metres."""
 
 _VIEW = 3.0
-"""Free floor that an audience has before it, metres; what is more does not count."""
+"""Free floor before an audience, metres; more does not count."""
 
 _LEAST_VIEW, _FEWER = 2.0, 0.5
-"""Free floor that an audience has before it at least, metres, and the share of its seats that stays without."""
+"""Least free floor before an audience, metres, and the share of its seats that may lack it."""
 
 _SCREEN = 5.0
-"""Width of a wall for a screen or a stage, metres; what is more does not count."""
+"""Width of a wall for a screen or a stage, metres; more does not count."""
 
 _OFFSETS = 6
 """Positions of a lattice that are tried at each pitch."""

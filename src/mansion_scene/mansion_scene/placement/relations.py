@@ -123,7 +123,7 @@ class Rating:
     faulty : tuple of int
         Keys of copies with a relation that does not hold.
     first : int
-        Copies that stand of what comes first.
+        Placed copies of the objects that come first.
     """
 
     placed: int

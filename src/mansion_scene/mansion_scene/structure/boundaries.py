@@ -19,6 +19,7 @@ __all__ = ["corner_key", "BoundarySegment", "boundary_segments", "reentrant_corn
 
 _ANGLE = 1e-4  # radians between lines that count as parallel
 _SNAP = 2e-3  # metres between points, or lines, that count as one
+_OFF_LINE = 5e-3  # metres between a door or window and the line of its boundary
 _DOOR = CLEAR_WIDTH + INTERIOR_THICKNESS
 """Shortest boundary, on centre lines, that takes a door of full width, metres."""
 
@@ -59,6 +60,14 @@ class BoundarySegment:
         length = self.length
         return (self.end[0] - self.start[0]) / length, (self.end[1] - self.start[1]) / length
 
+    def span_of(self, segment: Segment) -> tuple[float, float] | None:
+        """Return between which distances from the start a segment runs along it, metres; ``None`` off its line."""
+        (x0, y0), (dx, dy) = self.start, self.direction
+        if any(abs((x - x0) * dy - (y - y0) * dx) > _OFF_LINE for x, y in segment):
+            return None
+        low, high = sorted((x - x0) * dx + (y - y0) * dy for x, y in segment)
+        return low, high
+
     def at(self, distance: float) -> Point:
         """Return the point at a distance from the start."""
         dx, dy = self.direction
@@ -88,7 +97,7 @@ class _Line:
         return round(dx * along - dy * offset, 4) + 0.0, round(dy * along + dx * offset, 4) + 0.0
 
 
-# Owners of spans that are no region.
+# Owners of spans that are not a region.
 _OUTLINE = "\x00outline"
 _STRUCTURE = "\x00structure"
 

@@ -98,7 +98,7 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` for a layout that is no partition, ``INFEASIBLE`` where a room would be unreachable, a
+        ``INVALID_PAYLOAD`` for a layout that is not a partition, ``INFEASIBLE`` where a room would be unreachable, a
         stair does not fit, or there is no place for the entrance.
     """
     ceiling = ceiling_height(request.floor.height)

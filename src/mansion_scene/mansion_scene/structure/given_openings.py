@@ -33,7 +33,6 @@ __all__ = [
 _DOUBLE = 1.4
 """Clear width from which a door has two leaves, metres."""
 
-_OFF_LINE = 5e-3
 _LOWEST_WINDOW = 0.5
 """Metres from a sill to the ceiling: the lowest window and the wall above it."""
 
@@ -177,26 +176,17 @@ def _pieces(
     ceiling: float,
 ) -> Iterator[WindowOpening]:
     for boundary in boundaries:
-        span = _span(boundary, window.segment)
+        span = boundary.span_of(window.segment)
         if span is None:
             continue
         low, high = max(span[0], 0.0), min(span[1], boundary.length)
-        for other in (_span(boundary, door) for door in doors):
+        for other in (boundary.span_of(door) for door in doors):
             if other is not None and other[0] < high and low < other[1]:
                 low, high = (other[1], high) if other[1] < (low + high) / 2 else (low, min(high, other[0]))
         if high - low >= SHORTEST_WINDOW:
             kind = _window_kind(floor.by_id[boundary.left], window, high - low, ceiling)
             segment = (boundary.at(low), boundary.at(high))
             yield WindowOpening(boundary.left, fitting_window(kind, ceiling), boundary, segment)
-
-
-def _span(boundary: BoundarySegment, segment: Segment) -> tuple[float, float] | None:
-    """Return where a segment runs along a boundary; ``None`` off its line."""
-    (x0, y0), (dx, dy) = boundary.start, boundary.direction
-    if any(abs((x - x0) * dy - (y - y0) * dx) > _OFF_LINE for x, y in segment):
-        return None
-    low, high = sorted((x - x0) * dx + (y - y0) * dy for x, y in segment)
-    return low, high
 
 
 def _window_kind(region: Region, window: GivenWindow, width: float, ceiling: float) -> WindowKind:

@@ -15,7 +15,6 @@ from mansion_scene.structure.openings import Opening, OpeningKind
 
 __all__ = ["HeldAccess", "held_openings", "takes", "with_furniture", "without_held"]
 
-_OFF_LINE = 5e-3  # metres between a door and the line of its boundary
 _ROUNDING = 1e-3
 
 
@@ -66,10 +65,10 @@ def takes(boundary: BoundarySegment, rooms: tuple[str, str | None], segment: Seg
     """Whether a door between two regions, or one and the outside, has its place on a boundary."""
     if {boundary.left, boundary.right} != set(rooms) or boundary.exterior != (None in rooms):
         return False
-    (x0, y0), (dx, dy) = boundary.start, boundary.direction
-    if any(abs((x - x0) * dy - (y - y0) * dx) > _OFF_LINE for x, y in segment):
+    span = boundary.span_of(segment)
+    if span is None:
         return False
-    low, high = sorted((x - x0) * dx + (y - y0) * dy for x, y in segment)
+    low, high = span
     margin = 0.0 if boundary.exterior else INTERIOR_THICKNESS / 2
     return low >= margin - _ROUNDING and high <= boundary.length - margin + _ROUNDING
 

@@ -52,16 +52,16 @@ PARAMETERS: tuple[tuple[str, Any, str, tuple[float, float] | None], ...] = (
     (
         "robot_namespace",
         "",
-        "of map, odom, scan, cmd_vel, tf and clock: / for the global names; when empty, those in the namespace "
-        "/mansion, and below the node's own namespace in any other",
+        "namespace of map, odom, scan, cmd_vel, tf and clock: / for the global names; if empty, the global names "
+        "under /mansion and the node's own namespace elsewhere",
         None,
     ),
-    ("frame_prefix", "", "in front of every frame, as in site_b/", None),
+    ("frame_prefix", "", "prefix of every frame, such as site_b/", None),
     ("camera", True, "publish what the robots see while someone listens", None),
     ("camera_width", 300, "pixels", PIXELS),
     ("camera_height", 300, "pixels", PIXELS),
-    ("camera_fov", 90.0, "of the camera, across, degrees", (1.0, 170.0)),
-    ("camera_rate", 10.0, "images a second at most", (0.1, 100.0)),
+    ("camera_fov", 90.0, "horizontal field of view of the camera, degrees", (1.0, 170.0)),
+    ("camera_rate", 10.0, "most images per second", (0.1, 100.0)),
     ("publish_clock", False, "publish the world's clock on /clock", None),
 )
 """Name, default, description and range."""

@@ -64,7 +64,7 @@ def font(size: int) -> Any:
 
 
 def fitted(text: str, width: float, size: int) -> tuple[str, Any]:
-    """Return text and a font in which it is at most so wide: smaller, then cut in its middle."""
+    """Return text and a font that fit a width: first a smaller font, then the text cut in its middle."""
     while size > SMALLEST and font(size).getlength(text) > width:
         size -= 1
     chosen = font(size)
@@ -81,7 +81,7 @@ def _shortened(text: str, width: float, chosen: Any) -> str:
 
 
 def wrapped(text: str, width: float, size: int) -> list[str]:
-    """Break text into rows that are at most so wide; a word that is wider loses its middle."""
+    """Break text into rows that fit a width; a word that is wider loses its middle."""
     chosen = font(size)
     rows: list[str] = []
     for word in text.split():

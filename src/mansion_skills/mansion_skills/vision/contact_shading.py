@@ -58,7 +58,7 @@ def contact_shaded(rgb: Picture, depth: Depth, focal: float) -> Picture:
 
 
 def _hollow(near: Floats, wide: Floats, margin: int, rows: int, columns: int, angle: float) -> Floats:
-    """Tell how much nearer the two points so many pixels aside are on average, 0 to 1 of their distance to the pixel.
+    """Tell how much nearer the two points some pixels aside are on average, 0 to 1 of their distance to the pixel.
 
     Parameters
     ----------

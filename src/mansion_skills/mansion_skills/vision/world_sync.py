@@ -21,7 +21,7 @@ DARK = 0.4
 """Brightness of a room with all of them switched off."""
 
 IN_HAND = (0.45, 1.0)
-"""What a robot holds begins so far ahead of its centre and ends so high, metres."""
+"""Distance ahead of a robot's centre at which what it holds begins, and height at which it ends, metres."""
 
 LEAF_GAP = 0.01
 """Metres below a leaf."""

@@ -56,7 +56,7 @@ class Bumble(ModelAgent):
     ----------
     client : LlmClient
     types : bool
-        The text-augmented variant: what kinds of objects are in view is told while the skill is chosen, and not
+        The text-augmented variant: the kinds of objects in view are given while the skill is chosen, and not
         while its parameters are.
     """
 

@@ -107,7 +107,7 @@ class SearchMemory:
         ]
 
     def is_certain(self, phrase: NounPhrase, score: int) -> bool:
-        """Whether a score says that all words of the phrase are confirmed, and the noun is no mere likeness."""
+        """Whether a score says that all words of the phrase are confirmed, and the noun is more than a likeness."""
         return score >= 4 * (len(phrase.places) + bool(phrase.color)) + 2
 
     def _confirmed(self, phrase: NounPhrase, item: SeenObject) -> int:

@@ -141,7 +141,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
             if wanted in (index, task.id):
                 return task
         known = ", ".join(task.id for task in self.tasks)
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no task {wanted!r}; known are {known}")
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no task {wanted!r}; tasks are {known}")
 
     def step(self, action: Any) -> tuple[Values, float, bool, bool, dict[str, Any]]:
         """Do an action; one that cannot be done changes nothing, and ``info["status"]`` says so."""

@@ -42,7 +42,8 @@ class BuildingsEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` without buildings or for other values of the options; ``NOT_FOUND`` for what is no building.
+        ``INVALID_PAYLOAD`` without buildings or for other values of the options; ``NOT_FOUND`` for a path
+        that is not a building.
     """
 
     metadata: dict[str, Any] = BuildingEnv.metadata

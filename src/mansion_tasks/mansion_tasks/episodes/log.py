@@ -109,7 +109,7 @@ def read_log(path: Path) -> EpisodeLog:
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` for a missing file; ``INVALID_PAYLOAD`` for one that is no log, or lacks its end.
+        ``NOT_FOUND`` for a missing file; ``INVALID_PAYLOAD`` for a file that is not a log, or lacks its end.
     """
     data = read_bytes(path, "a log that `mansion bench agents` wrote")
     kind: Any = EpisodeStart | EpisodeStep | EpisodeEnd

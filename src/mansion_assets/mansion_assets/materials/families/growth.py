@@ -1,4 +1,4 @@
-"""What grows and is grown: leaves, soil, and the skins of food."""
+"""Plants, soil and food: leaves, grass, earth, and the skins of fruit and bread."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Pictures that fill what shows them: paintings, posters, maps, and what is on screens. None repeats."""
+"""Pictures for frames and screens: paintings, posters, maps, and what a display shows. None repeats."""
 
 from collections.abc import Sequence
 

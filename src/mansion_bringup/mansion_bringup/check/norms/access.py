@@ -5,14 +5,13 @@ from collections.abc import Iterator
 
 from shapely import Polygon
 
-from mansion_bringup.check.norms.premises import Deviation, Premises
+from mansion_bringup.check.norms.premises import ROUNDING, Deviation, Premises
 from mansion_bringup.check.shapes import net_area, segment_length
 from mansion_knowledge.norms import Norm
 from mansion_msgs_py.scene import LiftDetails, StairDetails
 
 __all__ = ["access_deviations"]
 
-_ROUNDING = 0.02
 _STEP_ROUNDING = 0.0015
 
 
@@ -38,7 +37,7 @@ def _cabin(premises: Premises, where: str, lift: LiftDetails) -> Iterator[Deviat
     (x0, y0, _), (x1, y1, _) = lift.cabin
     sides = (x1 - x0 - 2 * norm.limit("wall"), y1 - y0 - 2 * norm.limit("wall"))
     depth, width = sides if abs(math.cos(math.radians(lift.facing))) > math.sqrt(0.5) else sides[::-1]
-    if width < norm.figure - _ROUNDING or depth < norm.limit("depth") - _ROUNDING:
+    if width < norm.figure - ROUNDING or depth < norm.limit("depth") - ROUNDING:
         asked = f"{norm.figure:.2f} by {norm.limit('depth'):.2f} m"
         yield premises.deviation(norm, where, f"{width:.2f} m wide and {depth:.2f} m deep", asked)
 
@@ -75,7 +74,7 @@ def _corridor_width(premises: Premises) -> Iterator[Deviation]:
     for room in premises.of_types(norm.rooms):
         least = premises.limit(norm)
         shape = net_area(room)
-        if not _is_passable(shape, least - _ROUNDING):
+        if not _is_passable(shape, least - ROUNDING):
             steps = (least - 0.05 * step for step in range(1, int(least / 0.05)))
             width = next((width for width in steps if _is_passable(shape, width)), 0.0)
             yield premises.deviation(norm, room.id, f"narrows to about {width:.2f} m", f"{least:.2f} m")
@@ -95,7 +94,7 @@ def _door_width(premises: Premises) -> Iterator[Deviation]:
         for door in scene.doors:
             least = _widest(premises, norm, [kinds.get(name or "", "") for name in door.rooms])
             width = segment_length(door.segment)
-            if width < least - _ROUNDING:
+            if width < least - ROUNDING:
                 yield premises.deviation(norm, door.id, f"{width:.2f} m clear", f"{least:.2f} m")
 
 

@@ -76,7 +76,7 @@ def norms_of_folder(path: Path | str) -> list[Deviation]:
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` when `path` is no building folder; ``INVALID_PAYLOAD`` for a file that cannot be read.
+        ``NOT_FOUND`` when `path` is not a building folder; ``INVALID_PAYLOAD`` for a file that cannot be read.
     """
     folder = Path(path)
     check_building_folder(folder)

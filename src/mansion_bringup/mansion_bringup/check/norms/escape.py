@@ -6,15 +6,13 @@ from collections.abc import Iterator
 
 import networkx as nx
 
-from mansion_bringup.check.norms.premises import Deviation, Premises, rooms_of
+from mansion_bringup.check.norms.premises import ROUNDING, Deviation, Premises, rooms_of
 from mansion_bringup.check.norms.walking import Place, exit_doors, middle_of, ways_of
 from mansion_bringup.check.shapes import segment_length
 from mansion_msgs_py.scene import FloorScene, StairDetails
 from mansion_msgs_py.wording import counted
 
 __all__ = ["escape_deviations"]
-
-_ROUNDING = 0.02
 
 
 def escape_deviations(premises: Premises) -> Iterator[Deviation]:
@@ -56,7 +54,7 @@ def _exit_width(premises: Premises, scene: FloorScene, exits: list[str], people:
     stairs = scene.floor != 1 and all(door in flights for door in exits)
     widths = [min(by_id[door], flights[door]) if stairs and flights[door] else by_id[door] for door in exits]
     needed = people * norm.limit("stair" if stairs else "")
-    if sum(widths) < needed - _ROUNDING:
+    if sum(widths) < needed - ROUNDING:
         found = f"{sum(widths):.2f} m of {'stairs' if stairs else 'doors'}"
         yield premises.deviation(norm, f"floor {scene.floor}", found, f"{needed:.2f} m for {people} occupants")
 
@@ -69,7 +67,7 @@ def _exit_separation(premises: Premises, scene: FloorScene, exits: list[str]) ->
     apart = max((math.dist(one, other) for one, other in itertools.combinations(middles, 2)), default=0.0)
     xs, ys = zip(*scene.outline)
     least = premises.limit(norm) * math.hypot(max(xs) - min(xs), max(ys) - min(ys))
-    if apart < least - _ROUNDING:
+    if apart < least - ROUNDING:
         yield premises.deviation(norm, f"floor {scene.floor}", f"exits {apart:.1f} m apart", f"{least:.1f} m")
 
 
@@ -96,7 +94,7 @@ def _distances(premises: Premises, scene: FloorScene, exits: list[str], rule: st
         room.id: max((reached.get((room.id, i), 0.0) for i in range(len(room.polygon))), default=0.0)
         for room in rooms_of(scene)
     }
-    too_far = sorted((far, room) for room, far in distances.items() if far > limit + _ROUNDING)
+    too_far = sorted((far, room) for room, far in distances.items() if far > limit + ROUNDING)
     if too_far:
         far, room = too_far[-1]
         others = f", from {counted(len(too_far) - 1, 'other room')} more than is asked" if len(too_far) > 1 else ""
@@ -119,7 +117,7 @@ def _dead_ends(premises: Premises, scene: FloorScene, exits: list[str]) -> Itera
     for room in passages:
         places: list[Place] = [(room.id, i) for i in range(len(room.polygon))]
         longest = max((_shared_stretch(found, place) for place in places), default=0.0)
-        if longest > premises.limit(norm) + _ROUNDING:
+        if longest > premises.limit(norm) + ROUNDING:
             asked = f"at most {premises.limit(norm):.1f} m"
             yield premises.deviation(norm, room.id, f"a dead end of {longest:.1f} m", asked)
 

@@ -46,7 +46,7 @@ def _concerned(premises: Premises, norm: Norm, scene: FloorScene, doors: Doors) 
 
 
 def _toilet_through_bedroom(premises: Premises) -> Iterator[Deviation]:
-    """Yield a dwelling all of whose toilets hang on rooms that are slept in."""
+    """Yield a dwelling whose toilets are all reached through rooms that are slept in."""
     norm = premises.norm("toilet_through_bedroom")
     if norm is None:
         return

@@ -11,7 +11,10 @@ from mansion_knowledge.norms import Norm, Norms, Severity, load_norms
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 
-__all__ = ["Deviation", "Premises", "premises_of", "rooms_of"]
+__all__ = ["ROUNDING", "Deviation", "Premises", "premises_of", "rooms_of"]
+
+ROUNDING = 0.02
+"""Metres, or square metres, by which a figure may miss a rule from rounding."""
 
 
 class Deviation(msgspec.Struct, frozen=True, order=True):

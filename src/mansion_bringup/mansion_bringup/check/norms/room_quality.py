@@ -6,14 +6,12 @@ from collections.abc import Iterator
 
 from shapely import Polygon
 
-from mansion_bringup.check.norms.premises import Deviation, Premises
+from mansion_bringup.check.norms.premises import ROUNDING, Deviation, Premises
 from mansion_bringup.check.shapes import net_area, segment_length
 from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.wording import counted
 
 __all__ = ["room_deviations", "sides_of"]
-
-_ROUNDING = 0.02
 
 
 def room_deviations(premises: Premises) -> Iterator[Deviation]:
@@ -66,9 +64,9 @@ def _sizes(premises: Premises) -> Iterator[Deviation]:
             limit = premises.limit(norm, room.room_type)
             short, long = sides_of(room)
             area = net_area(room).area
-            if norm.id in ("room_area", "cell_area") and area < limit - _ROUNDING:
+            if norm.id in ("room_area", "cell_area") and area < limit - ROUNDING:
                 yield premises.deviation(norm, room.id, f"{area:.1f} m2 net", f"at least {limit:.1f} m2")
-            if norm.id == "room_dimension" and short < limit - _ROUNDING:
+            if norm.id == "room_dimension" and short < limit - ROUNDING:
                 yield premises.deviation(norm, room.id, f"{short:.2f} m from side to side", f"at least {limit:.2f} m")
             if norm.id == "proportion" and long > limit * max(short, 0.01):
                 yield premises.deviation(norm, room.id, f"1 to {long / max(short, 0.01):.1f}", f"at most 1 to {limit}")
@@ -80,7 +78,7 @@ def _workplaces(premises: Premises) -> Iterator[Deviation]:
         assert norm is not None
         places = premises.pieces(norm, [room])
         area, least = net_area(room).area, norm.figure + norm.limit("further") * (places - 1)
-        if places and area < least - _ROUNDING:
+        if places and area < least - ROUNDING:
             found = f"{area:.1f} m2 net for {counted(places, 'workplace')}"
             yield premises.deviation(norm, room.id, found, f"at least {least:.1f} m2")
 
@@ -91,7 +89,7 @@ def _heights(premises: Premises) -> Iterator[Deviation]:
         assert norm is not None
         low = premises.knowledge.room(room.room_type).zone in ("service", "circulation")
         least = norm.limit("low" if low else "")
-        if room.ceiling_height < least - _ROUNDING:
+        if room.ceiling_height < least - ROUNDING:
             yield premises.deviation(norm, room.id, f"{room.ceiling_height:.2f} m high", f"{least:.2f} m")
 
 

@@ -1,11 +1,11 @@
-"""Rules on toilets and washbasins for those who use a building, and on wet rooms above each other."""
+"""Rules on toilets and washbasins for those who use a building, and on wet rooms above one another."""
 
 import math
 from collections.abc import Iterator
 
 from shapely.ops import unary_union
 
-from mansion_bringup.check.norms.premises import Deviation, Premises
+from mansion_bringup.check.norms.premises import ROUNDING, Deviation, Premises
 from mansion_bringup.check.norms.room_quality import sides_of
 from mansion_bringup.check.shapes import net_area, room_area
 from mansion_geometry.object_footprints import footprint
@@ -15,7 +15,6 @@ from mansion_msgs_py.wording import counted
 
 __all__ = ["sanitary_deviations"]
 
-_ROUNDING = 0.02
 _BASIN = 0.6
 """Metres of a row of washbasins for one of them."""
 
@@ -156,7 +155,7 @@ def _accessible_toilet_size(premises: Premises) -> Iterator[Deviation]:
     for room in premises.of_types(norm.rooms) if norm is not None else ():
         assert norm is not None
         short, long = sides_of(room)
-        if short < norm.figure - _ROUNDING or long < norm.limit("length") - _ROUNDING:
+        if short < norm.figure - ROUNDING or long < norm.limit("length") - ROUNDING:
             asked = f"{norm.figure} by {norm.limit('length')} m"
             yield premises.deviation(norm, room.id, f"{short:.2f} by {long:.2f} m", asked)
 

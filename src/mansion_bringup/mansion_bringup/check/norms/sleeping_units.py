@@ -57,7 +57,7 @@ def _unit(premises: Premises, room: SceneRoom) -> list[SceneRoom]:
 
 
 def _shared(premises: Premises, name: str, thing: str) -> Iterator[Deviation]:
-    """Yield sleepers without fixtures of their own for whom the building's others are too few."""
+    """Yield where the building's shared fixtures are too few for the sleepers without fixtures of their own."""
     norm = premises.norm(name)
     if norm is None:
         return

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mansion_export.pictures.array_cache import ArrayCache
+from mansion_export.pictures.texture_sampling import ArrayCache
 from mansion_geometry.compiled import Floats
 
 

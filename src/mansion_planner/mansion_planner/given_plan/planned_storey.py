@@ -1,4 +1,4 @@
-"""A storey of a plan as the ledger of wishes knows storeys: a description may ask for furniture in its rooms."""
+"""A storey of a given plan as the planner's storey, so that a description may ask for furniture in its rooms."""
 
 from dataclasses import replace
 

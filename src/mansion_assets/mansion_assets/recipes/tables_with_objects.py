@@ -1,23 +1,18 @@
-"""Tables that are known by what is on and below them: for meetings, evidence, children, coffee, an office's work."""
-
-from typing import Final
+"""Tables told by the objects on and below them: for meetings, evidence, children, coffee and office work."""
 
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace
-from mansion_assets.recipes.tables import end_panels, four_legs, sled_frames, table_top
+from mansion_assets.recipes.tables import PRINT, end_panels, four_legs, sled_frames, table_top
 from mansion_assets.registry import recipe
 from mansion_assets.solids import Vec3
 
 __all__: list[str] = []
 
-_PRINT: Final = 0.002
-"""Thickness of what is drawn on a top, metres; it lies within the height of the table, so that things stand on it."""
-
 
 def _flush_top(b: Builder, z: float, thick: float, material: str) -> DrawnFace:
     """Add a top that ends 2 mm below `z`, and return its face: what is drawn on it, 2 mm thick, ends at `z`."""
-    b.box((-b.w / 2, b.w / 2), (-b.d / 2, b.d / 2), (z - thick, z - _PRINT), material, "top")
-    return DrawnFace.top(b, z - _PRINT)
+    b.box((-b.w / 2, b.w / 2), (-b.d / 2, b.d / 2), (z - thick, z - PRINT), material, "top")
+    return DrawnFace.top(b, z - PRINT)
 
 
 @recipe("conference_table")
@@ -35,23 +30,23 @@ def conference_table(b: Builder) -> None:
         u = -w / 2 + (k + 0.5) * w / seats
         for side in (-1, 1):
             _place_to_sit(face, u, side * (d / 2 - 0.06), -side, w / seats * 0.36)
-    face.field((-w * 0.36, w * 0.36), (-d * 0.06, d * 0.06), "plastic_black", "cable_well", _PRINT * 0.6)
+    face.field((-w * 0.36, w * 0.36), (-d * 0.06, d * 0.06), "plastic_black", "cable_well", PRINT * 0.6)
     for k in range(seats):
         u = -w * 0.3 + k * w * 0.6 / max(1, seats - 1)
-        face.field((u - 0.07, u + 0.07), (-0.03, 0.03), "metal_9ba0a5", "sockets", _PRINT * 0.8)
+        face.field((u - 0.07, u + 0.07), (-0.03, 0.03), "metal_9ba0a5", "sockets", PRINT * 0.8)
         for hole in (-0.035, 0.035):
-            face.disc(u + hole, 0.0, 0.016, "plastic_black", "sockets", _PRINT, 10)
+            face.disc(u + hole, 0.0, 0.016, "plastic_black", "sockets", PRINT, 10)
 
 
 def _place_to_sit(face: DrawnFace, u: float, v: float, inwards: int, half: float) -> None:
     """A leather pad with a sheet of paper and a pencil, and a name card before it."""
     near, far = v, v + inwards * 0.3
-    face.field((u - half, u + half), _ordered(near, far), "leather_26302a", "pads", _PRINT * 0.5)
+    face.field((u - half, u + half), _ordered(near, far), "leather_26302a", "pads", PRINT * 0.5)
     sheet = _ordered(near + inwards * 0.03, far - inwards * 0.03)
-    face.field((u - half * 0.62, u + half * 0.5), sheet, "paper_white", "sheets", _PRINT * 0.8)
-    face.field((u + half * 0.66, u + half * 0.78), sheet, "paint_f2b90f", "pencils", _PRINT)
+    face.field((u - half * 0.62, u + half * 0.5), sheet, "paper_white", "sheets", PRINT * 0.8)
+    face.field((u + half * 0.66, u + half * 0.78), sheet, "paint_f2b90f", "pencils", PRINT)
     card = _ordered(far + inwards * 0.02, far + inwards * 0.07)
-    face.field((u - half * 0.6, u + half * 0.6), card, "paper_4f9bd9", "names", _PRINT)
+    face.field((u - half * 0.6, u + half * 0.6), card, "paper_4f9bd9", "names", PRINT)
 
 
 def _ordered(one: float, other: float) -> tuple[float, float]:
@@ -64,34 +59,34 @@ def evidence_table(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     face = _flush_top(b, h, 0.04, b.mat())
     end_panels(b, h - 0.04, b.mat())
-    face.field((-w * 0.47, w * 0.47), (-d * 0.46, d * 0.46), "paper_white", "paper", _PRINT * 0.4)
+    face.field((-w * 0.47, w * 0.47), (-d * 0.46, d * 0.46), "paper_white", "paper", PRINT * 0.4)
     for k in range(24):
         u = -w * 0.46 + k * w * 0.92 / 24
         color = ("plastic_black", "plastic_white")[k % 2]
-        face.field((u, u + w * 0.92 / 24), (-d * 0.44, -d * 0.39), color, "scale", _PRINT * 0.7)
+        face.field((u, u + w * 0.92 / 24), (-d * 0.44, -d * 0.39), color, "scale", PRINT * 0.7)
     for k in range(3):
         u = (k - 1) * w * 0.31
-        face.field((u - w * 0.09, u + w * 0.09), (-d * 0.02, d * 0.38), "paint_f2c20f", "markers", _PRINT * 0.7)
-        face.write(str(k + 1), (u - w * 0.08, u + w * 0.08), (d * 0.01, d * 0.35), "plastic_black", "numbers", _PRINT)
+        face.field((u - w * 0.09, u + w * 0.09), (-d * 0.02, d * 0.38), "paint_f2c20f", "markers", PRINT * 0.7)
+        face.write(str(k + 1), (u - w * 0.08, u + w * 0.08), (d * 0.01, d * 0.35), "plastic_black", "numbers", PRINT)
     _knife(face, -w * 0.31, -d * 0.2, w * 0.11)
     _shoe_print(face, 0.0, -d * 0.2, w * 0.1)
-    face.field((w * 0.23, w * 0.39), (-d * 0.33, -d * 0.07), "plastic_bcd6e6", "bag", _PRINT * 0.7)
-    face.field((w * 0.23, w * 0.39), (-d * 0.13, -d * 0.07), "paint_red", "bag", _PRINT)
-    face.disc(w * 0.31, -d * 0.24, w * 0.03, "metal_brass", "bag", _PRINT, 14)
+    face.field((w * 0.23, w * 0.39), (-d * 0.33, -d * 0.07), "plastic_bcd6e6", "bag", PRINT * 0.7)
+    face.field((w * 0.23, w * 0.39), (-d * 0.13, -d * 0.07), "paint_red", "bag", PRINT)
+    face.disc(w * 0.31, -d * 0.24, w * 0.03, "metal_brass", "bag", PRINT, 14)
     front = DrawnFace.front(b, d / 2 - 0.06)
     front.field((-w * 0.46, w * 0.46), (h * 0.62, h * 0.86), "paint_f2c20f", "tape", 0.05)
     front.write("EVIDENCE", (-w * 0.42, w * 0.42), (h * 0.645, h * 0.835), "plastic_black", "letters", 0.056)
 
 
 def _knife(face: DrawnFace, u: float, v: float, half: float) -> None:
-    face.field((u - half * 0.2, u + half), (v - half * 0.14, v + half * 0.14), "metal_9ba0a5", "knife", _PRINT)
-    face.field((u - half, u - half * 0.2), (v - half * 0.18, v + half * 0.18), "plastic_black", "knife", _PRINT)
+    face.field((u - half * 0.2, u + half), (v - half * 0.14, v + half * 0.14), "metal_9ba0a5", "knife", PRINT)
+    face.field((u - half, u - half * 0.2), (v - half * 0.18, v + half * 0.18), "plastic_black", "knife", PRINT)
 
 
 def _shoe_print(face: DrawnFace, u: float, v: float, half: float) -> None:
-    face.disc(u + half * 0.4, v, half * 0.42, "plastic_5a3a2a", "print", _PRINT, 16)
-    face.field((u - half * 0.1, u + half * 0.5), (v - half * 0.28, v + half * 0.28), "plastic_5a3a2a", "print", _PRINT)
-    face.disc(u - half * 0.62, v, half * 0.3, "plastic_5a3a2a", "print", _PRINT, 14)
+    face.disc(u + half * 0.4, v, half * 0.42, "plastic_5a3a2a", "print", PRINT, 16)
+    face.field((u - half * 0.1, u + half * 0.5), (v - half * 0.28, v + half * 0.28), "plastic_5a3a2a", "print", PRINT)
+    face.disc(u - half * 0.62, v, half * 0.3, "plastic_5a3a2a", "print", PRINT, 14)
 
 
 @recipe("kids_table")
@@ -115,7 +110,7 @@ def kids_table(b: Builder) -> None:
             ((0.46, 0.5), (-0.45, 0.45)),
         )
     ):
-        face.field((w * u[0], w * u[1]), (d * v[0], d * v[1]), colors[k], "rim", _PRINT)
+        face.field((w * u[0], w * u[1]), (d * v[0], d * v[1]), colors[k], "rim", PRINT)
     front = DrawnFace.front(b, d / 2)
     front.field((-w / 2, w / 2), (h - thick, h - 0.003), colors[0], "rim")
     DrawnFace.side(b, w / 2).field((-d / 2, d / 2), (h - thick, h - 0.003), colors[1], "rim")
@@ -128,11 +123,11 @@ def kids_table(b: Builder) -> None:
             (up - d * 0.13, up + d * 0.13),
             colors[(k * 3 + 1) % 4],
             "letters",
-            _PRINT,
+            PRINT,
         )
-    face.disc(w * 0.38, d * 0.26, min(w, d) * 0.1, "plastic_f58f18", "sun", _PRINT)
-    face.disc(-w * 0.38, -d * 0.24, min(w, d) * 0.1, "plastic_f06fa0", "flower", _PRINT)
-    face.disc(-w * 0.38, -d * 0.24, min(w, d) * 0.045, "plastic_f5c518", "flower", _PRINT * 1.001)
+    face.disc(w * 0.38, d * 0.26, min(w, d) * 0.1, "plastic_f58f18", "sun", PRINT)
+    face.disc(-w * 0.38, -d * 0.24, min(w, d) * 0.1, "plastic_f06fa0", "flower", PRINT)
+    face.disc(-w * 0.38, -d * 0.24, min(w, d) * 0.045, "plastic_f5c518", "flower", PRINT * 1.001)
 
 
 @recipe("coffee_table")
@@ -217,9 +212,9 @@ def office_desk(b: Builder) -> None:
     b.box((-w / 2 + 0.1, w / 2 - 0.1), (-d / 2 + 0.06, -d / 2 + 0.08), (z * 0.45, z - 0.03), b.mat(), "modesty")
     _rolling_drawers(b, (w / 2 - 0.56, w / 2 - 0.14), z - 0.07)
     _computer_below(b, -w / 2 + 0.24, z)
-    face.disc(0.0, d * 0.38, 0.035, "plastic_black", "grommet", _PRINT, 18)
-    face.field((-w * 0.2, w * 0.2), (-d * 0.42, d * 0.02), "leather_26302a", "mat", _PRINT)
-    face.field((w * 0.24, w * 0.24 + 0.2), (-d * 0.38, -d * 0.06), "fabric_4f86c6", "mat", _PRINT)
+    face.disc(0.0, d * 0.38, 0.035, "plastic_black", "grommet", PRINT, 18)
+    face.field((-w * 0.2, w * 0.2), (-d * 0.42, d * 0.02), "leather_26302a", "mat", PRINT)
+    face.field((w * 0.24, w * 0.24 + 0.2), (-d * 0.38, -d * 0.06), "fabric_4f86c6", "mat", PRINT)
 
 
 def _rolling_drawers(b: Builder, x: tuple[float, float], high: float) -> None:
