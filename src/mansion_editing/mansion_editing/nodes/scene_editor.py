@@ -108,7 +108,7 @@ class SceneEditorNode(MansionNode):
             return self._reported(editor, provision(editor, args.task))
 
     def cancel(self, args: CancelEdit) -> CanceledEdits:
-        """Ask the edit in work to end, where it is in the building that is named."""
+        """Ask the running edit to end, where it is in the building that is named."""
         return CanceledEdits(editors=self._edits.cancel(lambda editor: args.editor in (None, editor)))
 
     @contextmanager
