@@ -96,7 +96,7 @@ def _style(wish: Wish, state: JudgedBuilding) -> Verdict:
 
 def _facade(wish: Wish, state: JudgedBuilding) -> Verdict:
     have = state.outside.facade
-    return met_if(have == wish.value.name, f"the outer walls are {spoken(have)} all round")
+    return met_if(have == wish.value.name, f"the outer walls are {in_words(have)} all round")
 
 
 def _roof(wish: Wish, state: JudgedBuilding) -> Verdict:
@@ -107,7 +107,7 @@ def _roof(wish: Wish, state: JudgedBuilding) -> Verdict:
     form, covering = value.name in ("", outside.roof), value.type in ("", outside.covering)
     if form and covering:
         return Verdict("met")
-    reason = f"the roof is {spoken(outside.roof)}" if not form else f"it is covered with {spoken(outside.covering)}"
+    reason = f"the roof is {in_words(outside.roof)}" if not form else f"it is covered with {in_words(outside.covering)}"
     return Verdict("partly" if form and value.name else "not_met", reason)
 
 

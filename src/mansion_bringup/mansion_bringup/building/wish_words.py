@@ -133,7 +133,7 @@ def _height(wish: Wish) -> str:
 
 
 def _roof(wish: Wish) -> str:
-    return "roof: " + ", ".join(_spaced(part) for part in (wish.value.name, wish.value.type) if part)
+    return "roof: " + ", ".join(in_words(part) for part in (wish.value.name, wish.value.type) if part)
 
 
 def _on_plot(wish: Wish) -> str:
