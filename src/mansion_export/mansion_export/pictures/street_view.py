@@ -12,7 +12,7 @@ from mansion_export.exterior.fronts import front_of
 from mansion_export.meshes.model import Model, Node
 from mansion_export.pictures.backdrop import HORIZON, ground_surfaces, sky
 from mansion_export.pictures.glazing import mirroring
-from mansion_export.pictures.projecting import bounds, project, seen_from, turned
+from mansion_export.pictures.projecting import bounds, seen_from, turned
 from mansion_export.pictures.renderer import Camera, Triangles, flatten, photograph
 from mansion_geometry.compiled import Floats
 from mansion_knowledge import is_class
@@ -111,8 +111,8 @@ class StreetView:
 
     def _bounds(self, camera: Camera) -> tuple[Floats, Floats]:
         axes = camera.axes()
-        placed = project(self._ends[:, None].repeat(3, axis=1), axes)
-        low, high = bounds(seen_from(placed, axes @ np.array(camera.eye), camera.focal, np.array(camera.center)))
+        ends = self._ends[:, None].repeat(3, axis=1)
+        low, high = bounds(seen_from(ends, axes, axes @ np.array(camera.eye), camera.focal, np.array(camera.center)))
         return low, high
 
     def _extent(self, camera: Camera) -> tuple[float, float]:
