@@ -3,6 +3,7 @@
 A process that runs nodes has threads, so it must not fork: its exports go to a pool that a fork server made.
 """
 
+import gc
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass
@@ -13,7 +14,6 @@ from typing import Any, TypeVar
 
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_export.formats import Outputs, outputs_of_build
-from mansion_geometry.compiled import start_kernels
 from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.workers import worker_pool
 
@@ -67,7 +67,8 @@ def local_executors(jobs: int, outputs: Outputs) -> BuildExecutors:
     """Return `jobs` forked processes (or this thread's helper thread for one) that run stages and make `outputs`."""
     if jobs > 1:
         _import_stages(outputs)
-        pool = worker_pool(jobs, "fork")
+        # What a worker inherits stays: to look through it for garbage would copy its pages.
+        pool = worker_pool(jobs, "fork", gc.freeze)
         return BuildExecutors(pool, pool)
     thread = ThreadPoolExecutor(1)
     return BuildExecutors(thread, thread)
@@ -94,10 +95,11 @@ def _export_modules(outputs: Outputs) -> list[str]:
 
 
 def _import_stages(outputs: Outputs) -> None:
-    """Import what the workers need before they are forked, once instead of in each."""
+    """Import what the workers need before they are forked, and load the kernels that all of them use."""
     for module in _export_modules(outputs):
         import_module(module)
     with importing:
-        for module in ("mansion_planner.solver", "mansion_scene.assembly"):
-            import_module(module)
-    start_kernels()
+        import_module("mansion_planner.solver")
+        import_module("mansion_scene.assembly")
+        from mansion_scene.placement import warm
+    warm()
