@@ -6,6 +6,7 @@ from typing import Protocol
 
 import msgspec
 from shapely.geometry import LineString, Polygon
+from shapely.geometry.base import BaseGeometry
 
 from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing, furnish_request, load_catalogue
 from mansion_assets.catalogue.piece_counts import pieces
@@ -83,25 +84,26 @@ class FloorOpenings(Protocol):
 
 def room_openings(structure: FloorOpenings, room: SceneRoom) -> tuple[list[PlacementOpening], list[PlacementOpening]]:
     """Return a room's doors and windows as openings in the boundary of its net interior."""
-    net = Polygon(room.net_polygon, room.net_holes)
+    boundary = Polygon(room.net_polygon, room.net_holes).boundary
     doors = [
-        PlacementOpening(id=door.id, segment=_on_boundary(net, door.segment), sill=0.0, is_open=door.kind == "open")
+        PlacementOpening(
+            id=door.id, segment=_on_boundary(boundary, door.segment), sill=0.0, is_open=door.kind == "open"
+        )
         for door in structure.doors
         if room.id in door.rooms
     ]
     windows = [
-        PlacementOpening(id=window.id, segment=_on_boundary(net, window.segment), sill=window.sill)
+        PlacementOpening(id=window.id, segment=_on_boundary(boundary, window.segment), sill=window.sill)
         for window in structure.windows
         if window.room == room.id
     ]
     return doors, windows
 
 
-def _on_boundary(net: Polygon, segment: Segment) -> Segment:
+def _on_boundary(boundary: BaseGeometry, segment: Segment) -> Segment:
     """Move a segment from a wall's centre line on to the face that bounds a net interior."""
     line = LineString(segment)
     middle = line.interpolate(0.5, normalized=True)
-    boundary = net.boundary
     face = boundary.interpolate(boundary.project(middle))
     dx, dy = face.x - middle.x, face.y - middle.y
     (ax, ay), (bx, by) = segment

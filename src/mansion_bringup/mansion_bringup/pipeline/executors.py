@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from multiprocessing import active_children
 from types import TracebackType
-from typing import Any, TypeVar
+from typing import Any, Final, TypeVar
 
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_export.formats import Outputs, outputs_of_build
@@ -20,6 +20,9 @@ from mansion_msgs_py.workers import worker_pool
 __all__ = ["BuildExecutors", "export_pool", "local_executors", "service_executors", "stage_pool"]
 
 T = TypeVar("T")
+
+_PILLOW: Final = ("PIL.ImageDraw", "PIL.ImageFont", "PIL.PngImagePlugin")
+"""What plans and pictures are drawn with."""
 
 
 @dataclass(frozen=True)
@@ -99,7 +102,7 @@ def _import_stages(outputs: Outputs) -> None:
     for module in _export_modules(outputs):
         import_module(module)
     with importing:
-        import_module("mansion_planner.solver")
-        import_module("mansion_scene.assembly")
+        for module in ("mansion_planner.solver", "mansion_scene.assembly", "mansion_scene.room_contents", *_PILLOW):
+            import_module(module)
         from mansion_scene.placement import warm
     warm()

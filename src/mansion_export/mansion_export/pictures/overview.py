@@ -86,7 +86,7 @@ def overview_png(
 
     ordered = sorted(scenes, key=lambda scene: scene.floor)
     if models is None:
-        models = building_models(ordered, site=site, catalogue=catalogue)
+        models = building_models(ordered, ceilings=False, roofs=True, site=site, catalogue=catalogue)
     turns = quarter_turns(ordered)
     head = round(0.045 * width)
     street = StreetView(models, ordered) if ordered else None
