@@ -9,7 +9,7 @@ from typing import Any, Final, ParamSpec, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Bools", "Counts", "Floats", "Ints", "Labels", "kernel", "start_kernels"]
+__all__ = ["Bools", "Counts", "Floats", "Ints", "Labels", "kernel"]
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -40,26 +40,31 @@ def kernel(function: Callable[P, R]) -> Callable[P, R]:
     import numba  # modules that only name types start without it
 
     _announce_compilation()
-    compiled: Callable[P, R] = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
-    return compiled
-
-
-def start_kernels() -> None:
-    """Import what numba needs to load machine code, which the first call of a kernel does otherwise.
-
-    Processes that are forked afterwards share it.
-    """
-    _smallest()(1.0)
+    compiled = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+    compiled._cache = _machine_code()(function)
+    known: Callable[P, R] = compiled
+    return known
 
 
 @cache
-def _smallest() -> Callable[[float], float]:
-    return kernel(_same)
+def _machine_code() -> type[Any]:
+    """Return numba's cache of machine code without what it loads for compiling."""
+    from numba.core.caching import FunctionCache
+    from numba.core.runtime import rtsys
 
+    class MachineCode(FunctionCache):  # type: ignore[misc]
+        """Machine code on the disk, which holds all that it calls but numba's allocation of memory.
 
-def _same(number: float) -> float:
-    """Return the number, as the least that can be compiled."""
-    return number
+        Numba's own cache first loads the types and implementations of all that can be compiled, which takes longer
+        than the code of all kernels. They are loaded when something is compiled.
+        """
+
+        def load_overload(self, sig: Any, target_context: Any) -> Any:
+            rtsys.initialize(target_context)
+            with self._guard_against_spurious_io_errors():
+                return self._load_overload(sig, target_context)
+
+    return MachineCode
 
 
 @cache

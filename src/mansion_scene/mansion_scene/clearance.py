@@ -9,7 +9,7 @@ from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from mansion_geometry.floor_regions import disc_positions, largest_first
-from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, oblique_margin
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, footprints, oblique_margin
 from mansion_geometry.rings import polygon_parts
 from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.placement import PlacementOpening
@@ -69,15 +69,17 @@ def _cutting_off(
 ) -> set[str]:
     """Return the ids to remove so that every goal is reached that could be reached without any of the objects."""
     upright = [item for item in standing if item.size[2] > WALKABLE_HEIGHT]
-    solid = [_body(item) for item in upright]
-    goals = [*map(footprint, upright), *(LineString(door.segment) for door in doors)]
-    free = net.difference(shapely.union_all(solid))
-    wanted = _reached(free, goals)
-    shapes = {item.id: _body(item) for item in deep}
+    goals = [*footprints(upright), *(LineString(door.segment) for door in doors)]
+    free = net.difference(shapely.union_all(_bodies(upright)))
+    shapes = {item.id: body for item, body in zip(deep, _bodies(deep), strict=True)}
+    wanted: list[bool] = []
     dropped: set[str] = set()
     while len(dropped) < len(shapes):
         left = {name: shape for name, shape in shapes.items() if name not in dropped}
         reached = _reached(free.difference(shapely.union_all(list(left.values()))), goals)
+        if all(reached):
+            break
+        wanted = wanted or _reached(free, goals)
         lost = next((k for k, ok in enumerate(reached) if wanted[k] and not ok), None)
         if lost is None:
             break
@@ -85,9 +87,9 @@ def _cutting_off(
     return dropped
 
 
-def _body(item: SceneObject) -> Polygon:
-    """Return the floor that an object takes from the robot."""
-    return footprint(item).buffer(oblique_margin(item))
+def _bodies(items: Sequence[SceneObject]) -> list[Polygon]:
+    """Return the floor that each object takes from the robot."""
+    return list(shapely.buffer(footprints(items), [oblique_margin(item) for item in items], quad_segs=_ROUND))
 
 
 def _reached(free: BaseGeometry, goals: Sequence[BaseGeometry]) -> list[bool]:

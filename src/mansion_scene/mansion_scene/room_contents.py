@@ -5,7 +5,10 @@ from functools import partial
 from typing import Protocol
 
 import msgspec
-from shapely.geometry import LineString, Polygon
+import numpy as np
+import shapely
+from shapely.geometry import Polygon
+from shapely.geometry.base import BaseGeometry
 
 from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing, furnish_request, load_catalogue
 from mansion_assets.catalogue.piece_counts import pieces
@@ -83,29 +86,28 @@ class FloorOpenings(Protocol):
 
 def room_openings(structure: FloorOpenings, room: SceneRoom) -> tuple[list[PlacementOpening], list[PlacementOpening]]:
     """Return a room's doors and windows as openings in the boundary of its net interior."""
-    net = Polygon(room.net_polygon, room.net_holes)
-    doors = [
-        PlacementOpening(id=door.id, segment=_on_boundary(net, door.segment), sill=0.0, is_open=door.kind == "open")
-        for door in structure.doors
-        if room.id in door.rooms
-    ]
-    windows = [
-        PlacementOpening(id=window.id, segment=_on_boundary(net, window.segment), sill=window.sill)
-        for window in structure.windows
-        if window.room == room.id
-    ]
-    return doors, windows
+    boundary = Polygon(room.net_polygon, room.net_holes).boundary
+    doors = [door for door in structure.doors if room.id in door.rooms]
+    windows = [window for window in structure.windows if window.room == room.id]
+    openings = [*(door.segment for door in doors), *(window.segment for window in windows)]
+    segments = iter(_on_boundary(boundary, openings))
+    return (
+        [PlacementOpening(id=d.id, segment=next(segments), sill=0.0, is_open=d.kind == "open") for d in doors],
+        [PlacementOpening(id=w.id, segment=next(segments), sill=w.sill) for w in windows],
+    )
 
 
-def _on_boundary(net: Polygon, segment: Segment) -> Segment:
-    """Move a segment from a wall's centre line on to the face that bounds a net interior."""
-    line = LineString(segment)
-    middle = line.interpolate(0.5, normalized=True)
-    boundary = net.boundary
-    face = boundary.interpolate(boundary.project(middle))
-    dx, dy = face.x - middle.x, face.y - middle.y
-    (ax, ay), (bx, by) = segment
-    return (round(ax + dx, 4), round(ay + dy, 4)), (round(bx + dx, 4), round(by + dy, 4))
+def _on_boundary(boundary: BaseGeometry, segments: Sequence[Segment]) -> list[Segment]:
+    """Move segments from walls' centre lines on to the faces that bound a net interior."""
+    if not segments:
+        return []
+    middles = shapely.line_interpolate_point(shapely.linestrings(np.array(segments)), 0.5, normalized=True)
+    faces = shapely.line_interpolate_point(boundary, shapely.line_locate_point(boundary, middles))
+    shifts = shapely.get_coordinates(faces) - shapely.get_coordinates(middles)
+    return [
+        ((round(ax + dx, 4), round(ay + dy, 4)), (round(bx + dx, 4), round(by + dy, 4)))
+        for ((ax, ay), (bx, by)), (dx, dy) in zip(segments, shifts.tolist(), strict=True)
+    ]
 
 
 class RoomFurnisher:

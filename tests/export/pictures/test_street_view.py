@@ -1,5 +1,7 @@
 """A building as seen from the street."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from mansion_export.meshes.materials import named
@@ -11,8 +13,8 @@ from mansion_export.pictures.street_view import mirroring
 def test_panes_hide_what_is_behind_them_from_outside() -> None:
     surface = boxes_surface([Box((0.0, 0.0, 1.0), (1.2, 0.02, 1.4))], named("glass"))
     pane = Triangles.plain(surface.vertices[surface.faces], np.array(named("glass").color))
-    clear = Triangles(pane.corners, pane.colors, np.full(len(pane.alpha), 0.3), pane.textures, pane.coordinates)
-    shown = mirroring(clear)
+    clear = replace(pane, looks=replace(pane.looks, alpha=np.full(1, 0.3)))
+    shown = mirroring(clear).looks
     assert (shown.alpha == 1.0).all()
     assert (shown.textures >= 0).all()
     assert np.ptp(shown.coordinates[..., 1]) == 1.0

@@ -7,7 +7,7 @@ from shapely import LineString, Point, Polygon, STRtree, prepare
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, room_area, vertical
-from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprints
 from mansion_geometry.wall_sizes import DOOR_HEAD, doorway_depth
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 
@@ -26,7 +26,7 @@ def check_objects(scene: FloorScene) -> Iterator[Fault]:
     """Yield faults of the objects' poses."""
     furnished = {item.room for item in scene.objects}
     rooms = {room.id: (room, _region(room)) for room in scene.rooms if room.id in furnished}
-    placed = [(item, footprint(item)) for item in scene.objects]
+    placed = list(zip(scene.objects, footprints(scene.objects), strict=True))
     known = {item.id: (item, shape) for item, shape in placed}
     for item, shape in placed:
         yield from _in_room(item, shape, rooms)

@@ -32,13 +32,13 @@ def check_openings(scene: FloorScene, edges: list[tuple[str, str]]) -> Iterator[
     edges : list of (str, str)
         Pairs of room or core ids that must have a door between them.
     """
-    places = _places(scene)
+    boundaries = _boundaries(scene)
     walls = {wall.id: wall for wall in scene.walls}
     given = {entry.wish for entry in scene.downgrades if entry.stage == "plan"}
     for door in scene.doors:
-        yield from _door(door, places, walls, given)
+        yield from _door(door, boundaries, walls, given)
     for window in scene.windows:
-        yield from _window(window, places, walls)
+        yield from _window(window, boundaries, walls)
     yield from _crowded(scene, walls)
     joined = {frozenset(name for name in door.rooms if name) for door in scene.doors}
     for source, target in edges:
@@ -46,14 +46,27 @@ def check_openings(scene: FloorScene, edges: list[tuple[str, str]]) -> Iterator[
             yield Fault("DOOR_MISSING", f"{source} and {target}", "should be connected but have no door")
 
 
-def _places(scene: FloorScene) -> dict[str, BaseGeometry]:
-    places: dict[str, BaseGeometry] = {room.id: room_area(room) for room in scene.rooms}
-    places.update({core.id: Polygon(core.polygon) for core in scene.cores})
-    return places
+class _Boundary:
+    """The boundary of a room or core, and what is near it, which is asked for each of its openings."""
+
+    def __init__(self, area: Polygon) -> None:
+        self._line = area.boundary
+        self._strips: dict[float, BaseGeometry] = {}
+
+    def beyond(self, line: LineString, aside: float) -> float:
+        """Return how much of a line is further from the boundary than `aside`, metres."""
+        if aside not in self._strips:
+            self._strips[aside] = self._line.buffer(aside)
+        return float(line.difference(self._strips[aside]).length)
+
+
+def _boundaries(scene: FloorScene) -> dict[str, _Boundary]:
+    found = {room.id: _Boundary(room_area(room)) for room in scene.rooms}
+    return found | {core.id: _Boundary(Polygon(core.polygon)) for core in scene.cores}
 
 
 def _door(
-    door: Door, places: dict[str, BaseGeometry], walls: dict[str, Wall], given: Container[str]
+    door: Door, boundaries: dict[str, _Boundary], walls: dict[str, Wall], given: Container[str]
 ) -> Iterator[Fault]:
     length = segment_length(door.segment)
     first, second = door.rooms[0], door.rooms[1] or "outside"
@@ -72,9 +85,9 @@ def _door(
     for name in door.rooms:
         if name is None:
             continue
-        if name not in places:
+        if name not in boundaries:
             yield Fault("DOOR_ROOMS", door.id, f"leads to {name}, which does not exist")
-        elif line.difference(places[name].boundary.buffer(ASIDE)).length > ROUNDING:
+        elif boundaries[name].beyond(line, ASIDE) > ROUNDING:
             yield Fault("DOOR_ROOMS", door.id, f"is not on the boundary of {name}")
 
 
@@ -95,16 +108,15 @@ def _in_wall(opening: Door | Window, walls: dict[str, Wall]) -> Iterator[Fault]:
         yield Fault(kind, opening.id, f"is higher than wall {wall.id}")
 
 
-def _window(window: Window, places: dict[str, BaseGeometry], walls: dict[str, Wall]) -> Iterator[Fault]:
+def _window(window: Window, boundaries: dict[str, _Boundary], walls: dict[str, Wall]) -> Iterator[Fault]:
     yield from _in_wall(window, walls)
     if window.sill < -ROUNDING:
         yield Fault("WINDOW_SILL", window.id, f"its sill is {-window.sill:.2f} m below the floor")
     wall = walls.get(window.wall)
     if wall is not None and not wall.exterior:
         yield Fault("WINDOW_WALL", window.id, f"is in the inner wall {wall.id}")
-    room = places.get(window.room)
-    line = LineString(window.segment)
-    if room is None or line.difference(room.boundary.buffer(2 * ASIDE)).length > ROUNDING:
+    boundary = boundaries.get(window.room)
+    if boundary is None or boundary.beyond(LineString(window.segment), 2 * ASIDE) > ROUNDING:
         yield Fault("WINDOW_ROOM", window.id, f"is not at {window.room}")
 
 

@@ -3,23 +3,26 @@
 A process that runs nodes has threads, so it must not fork: its exports go to a pool that a fork server made.
 """
 
+import gc
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass
 from importlib import import_module
 from multiprocessing import active_children
 from types import TracebackType
-from typing import Any, TypeVar
+from typing import Any, Final, TypeVar
 
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_export.formats import Outputs, outputs_of_build
-from mansion_geometry.compiled import start_kernels
 from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.workers import worker_pool
 
 __all__ = ["BuildExecutors", "export_pool", "local_executors", "service_executors", "stage_pool"]
 
 T = TypeVar("T")
+
+_PILLOW: Final = ("PIL.ImageDraw", "PIL.ImageFont", "PIL.PngImagePlugin")
+"""What plans and pictures are drawn with."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +70,8 @@ def local_executors(jobs: int, outputs: Outputs) -> BuildExecutors:
     """Return `jobs` forked processes (or this thread's helper thread for one) that run stages and make `outputs`."""
     if jobs > 1:
         _import_stages(outputs)
-        pool = worker_pool(jobs, "fork")
+        # What a worker inherits stays: to look through it for garbage would copy its pages.
+        pool = worker_pool(jobs, "fork", gc.freeze)
         return BuildExecutors(pool, pool)
     thread = ThreadPoolExecutor(1)
     return BuildExecutors(thread, thread)
@@ -94,10 +98,11 @@ def _export_modules(outputs: Outputs) -> list[str]:
 
 
 def _import_stages(outputs: Outputs) -> None:
-    """Import what the workers need before they are forked, once instead of in each."""
+    """Import what the workers need before they are forked, and load the kernels that all of them use."""
     for module in _export_modules(outputs):
         import_module(module)
     with importing:
-        for module in ("mansion_planner.solver", "mansion_scene.assembly"):
+        for module in ("mansion_planner.solver", "mansion_scene.assembly", "mansion_scene.room_contents", *_PILLOW):
             import_module(module)
-    start_kernels()
+        from mansion_scene.placement import warm
+    warm()

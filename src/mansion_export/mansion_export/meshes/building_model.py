@@ -72,14 +72,21 @@ def floor_model(
 
 
 def building_models(
-    scenes: Sequence[FloorScene], *, ceilings: bool = True, site: bool = True, catalogue: Catalogue | None = None
+    scenes: Sequence[FloorScene],
+    *,
+    ceilings: bool = True,
+    roofs: bool | None = None,
+    site: bool = True,
+    catalogue: Catalogue | None = None,
 ) -> list[Model]:
     """Make the models of all floors, lowest first; lifts wait on the lowest floor that is above ground.
 
     Parameters
     ----------
     ceilings : bool
-        Leave them out, and the roofs, for a view from above.
+        Leave them out, and what hangs from them, for a view from above.
+    roofs : bool, optional
+        With roofs and chimneys; as `ceilings` when it is left out.
     site : bool
         With the plot around the building, and what stands before its doors.
     """
@@ -89,7 +96,7 @@ def building_models(
     for number, scene in enumerate(ordered):
         here = frozenset(core.id for core in scene.cores) if scene.floor == ground else frozenset()
         outside: list[Part] = []
-        if ceilings:
+        if ceilings if roofs is None else roofs:
             above = ordered[number + 1] if number + 1 < len(ordered) else None
             covered = None if above is None else slab_polygon(above, above=False, openings=False)
             roof = list(roof_parts(scene, slab_polygon(scene, above=True, openings=above is not None), covered))

@@ -173,7 +173,11 @@ def named_by_content(model: Model) -> Model:
     meshes: dict[str, Mesh] = {}
     for name, mesh in model.meshes.items():
         meshes.setdefault(names[name], replace(mesh, name=names[name]))
-    return replace(model, nodes=tuple(replace(node, mesh=names[node.mesh]) for node in model.nodes), meshes=meshes)
+    return replace(model, nodes=tuple(_named(node, names[node.mesh]) for node in model.nodes), meshes=meshes)
+
+
+def _named(node: Node, mesh: str) -> Node:
+    return node if node.mesh == mesh else replace(node, mesh=mesh)
 
 
 def _name(mesh: Mesh) -> str:

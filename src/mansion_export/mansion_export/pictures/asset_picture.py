@@ -9,7 +9,7 @@ from mansion_assets.catalogue import Asset, Catalogue
 from mansion_assets.library.source_model import SourceSurface
 from mansion_export.meshes.asset_surfaces import asset_surfaces
 from mansion_export.meshes.model import Material, Node, Surface, assemble
-from mansion_export.pictures.projecting import bounds, project
+from mansion_export.pictures.projecting import bounds_along
 from mansion_export.pictures.renderer import View, flatten, render
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ def _drawn(surfaces: Sequence[Surface], size: int, seen_from: View) -> "Image":
 
     part = Node("asset", "asset", "objects", rotation=180.0), [_shining(surface) for surface in surfaces]
     triangles = flatten(assemble("asset", 1, 0.0, [part]))
-    low, high = bounds(project(triangles.corners, seen_from.axes()))
+    low, high = bounds_along(triangles.corners, seen_from.axes())
     scale = (size - _MARGIN) / max(float((high - low)[:2].max()), 1e-9)
     pixels = render(triangles, replace(seen_from, scale=scale), _GROUND)
     return Image.fromarray(pixels)

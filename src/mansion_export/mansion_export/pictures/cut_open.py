@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 from shapely.geometry import Polygon
 
-from mansion_export.meshes.model import Model
+from mansion_export.meshes.model import Model, Node
 from mansion_export.meshes.solids import triangulate
 from mansion_export.pictures.projecting import turned
 from mansion_export.pictures.renderer import Triangles, flatten
@@ -38,12 +38,8 @@ def cut_open(model: Model, scene: FloorScene, turns: int = 0) -> Triangles:
     Pictures and boards hang as much lower as the walls are, so that each still hangs on its wall.
     """
     solid = flatten(model, lambda node: node.group not in ("objects", "ceiling", "site"))
-    falls = {item.id: _fall(item) for item in scene.objects}
-    lowered = [
-        replace(node, position=(*node.position[:2], node.position[2] - falls.get(node.id, 0.0)))
-        for node in model.nodes
-        if node.group == "objects"
-    ]
+    falls = {item.id: fall for item in scene.objects if (fall := _fall(item))}
+    lowered = [_lower(node, falls.get(node.id, 0.0)) for node in model.nodes if node.group == "objects"]
     movable = flatten(replace(model, nodes=tuple(node for node in lowered if node.position[2] < CUT + 0.4)))
     shafts = [_ground(core.polygon) for core in scene.cores]
     whole = Triangles.join([_cut(solid), movable, *shafts])
@@ -56,6 +52,10 @@ def _fall(item: SceneObject) -> float:
         return 0.0
     bottom = item.position[2] - item.size[2] / 2
     return max(min(bottom + item.size[2] - CUT + 0.03, bottom - 0.1), 0.0)
+
+
+def _lower(node: Node, fall: float) -> Node:
+    return replace(node, position=(*node.position[:2], node.position[2] - fall)) if fall else node
 
 
 def _ground(ring: Sequence[tuple[float, float]]) -> Triangles:
@@ -71,31 +71,30 @@ def _cut(triangles: Triangles) -> Triangles:
     lowest = np.minimum(np.minimum(a, b), c)
     highest = np.maximum(np.maximum(a, b), c)
     keep = lowest < CUT - 1e-6
-    kept = triangles.where(keep)
+    kept = triangles.where(keep).apart()
     above = highest[keep] > CUT
-    capped = _lowered(kept)
+    _bring_down(kept)
     flat = ~keep & (highest - lowest < 1e-6)
     lids = triangles.corners[flat]
     # A box's lid lies above the cut: bring it down to close the box, unless the box began above, too.
-    lids = lids[_over_kept(lids, capped.corners[above])]
+    lids = lids[_over_kept(lids, kept.corners[above])]
     lids[..., 2] = CUT
-    return Triangles.join([capped, Triangles.plain(lids, CAP)])
+    return Triangles.join([kept, Triangles.plain(lids, CAP)])
 
 
-def _lowered(triangles: Triangles) -> Triangles:
-    """Bring corners above `CUT` down to it, and their places on textures with them."""
-    corners, coordinates = triangles.corners.copy(), triangles.coordinates.copy()
+def _bring_down(triangles: Triangles) -> None:
+    """Bring corners above `CUT` down to it, and their places on textures with them; each has looks of its own."""
+    corners, looks = triangles.corners, triangles.looks
     fall = np.minimum(CUT - corners[..., 2], 0.0)
-    some = (fall < 0.0).any(axis=1) & (triangles.textures >= 0)
-    sides, laid = (values[some][:, 1:] - values[some][:, :1] for values in (corners, coordinates))
+    some = (fall < 0.0).any(axis=1) & (looks.textures >= 0)
+    sides, laid = (values[some][:, 1:] - values[some][:, :1] for values in (corners, looks.coordinates))
     # How far a place moves on its texture with each metre up: least squares over the two sides of the triangle.
     (aa, ab), (_, bb) = np.einsum("kix,kjx->ijk", sides, sides)
     a, b = sides[:, 0, 2], sides[:, 1, 2]
     weights = np.stack([bb * a - ab * b, aa * b - ab * a], axis=1) / np.maximum(aa * bb - ab * ab, 1e-12)[:, None]
     rise = np.einsum("ki,kil->kl", weights, laid)
-    coordinates[some] += fall[some][..., None] * rise[:, None]
+    looks.coordinates[some] += fall[some][..., None] * rise[:, None]
     corners[..., 2] += fall
-    return replace(triangles, corners=corners, coordinates=coordinates)
 
 
 def _over_kept(lids: Floats, sides: Floats) -> npt.NDArray[np.bool_]:

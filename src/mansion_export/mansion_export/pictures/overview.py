@@ -13,7 +13,7 @@ from mansion_assets.catalogue import Catalogue
 from mansion_export.meshes.building_model import building_models
 from mansion_export.meshes.model import Model
 from mansion_export.pictures.cut_open import cut_open
-from mansion_export.pictures.projecting import bounds, project, turned
+from mansion_export.pictures.projecting import bounds_along, project, turned
 from mansion_export.pictures.renderer import Triangles, View, render
 from mansion_export.pictures.street_view import StreetView
 from mansion_export.plan.palette import INK
@@ -86,7 +86,7 @@ def overview_png(
 
     ordered = sorted(scenes, key=lambda scene: scene.floor)
     if models is None:
-        models = building_models(ordered, site=site, catalogue=catalogue)
+        models = building_models(ordered, ceilings=False, roofs=True, site=site, catalogue=catalogue)
     turns = quarter_turns(ordered)
     head = round(0.045 * width)
     street = StreetView(models, ordered) if ordered else None
@@ -122,7 +122,7 @@ def overview_files(scenes: Sequence[FloorScene], *, site: bool = True) -> dict[s
 def _layout(floors: Sequence[Triangles], width: int, top: int) -> _Sheet:
     """Choose the fewest columns with which the floors' pictures are not too tall together."""
     foot = round(0.024 * width)
-    sizes = [_size(floor, FROM_ABOVE) for floor in floors if len(floor.alpha)] or [(1.0, 1.0)]
+    sizes = [_size(floor, FROM_ABOVE) for floor in floors if len(floor)] or [(1.0, 1.0)]
     across, tall = max(w for w, _ in sizes), max(h for _, h in sizes)
     for columns in range(1, MOST_COLUMNS + 1):
         cell_width = width // columns
@@ -141,7 +141,7 @@ def _layout(floors: Sequence[Triangles], width: int, top: int) -> _Sheet:
 
 def _size(triangles: Triangles, view: View) -> tuple[float, float]:
     """Width and height of what is seen, metres of the picture's plane."""
-    low, high = bounds(project(triangles.corners, view.axes()))
+    low, high = bounds_along(triangles.corners, view.axes())
     extent = high - low
     return max(float(extent[0]), 0.1), max(float(extent[1]), 0.1)
 
@@ -159,7 +159,7 @@ def _floor(
     from PIL import Image
 
     axes = FROM_ABOVE.axes()
-    low, high = bounds(project(triangles.corners, axes))
+    low, high = bounds_along(triangles.corners, axes)
     extent = np.maximum(high - low, 0.1)
     scale = 0.95 * min(room[0] / float(extent[0]), room[1] / float(extent[1]))
     view = View(FROM_ABOVE.azimuth, FROM_ABOVE.elevation, scale)

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from mansion_geometry.compiled import Floats, kernel
 
-__all__ = ["bounds", "project", "rasterise", "seen_from", "turned"]
+__all__ = ["bounds", "bounds_along", "number_seen", "project", "rasterise", "seen_along", "seen_from", "turned"]
 
 
 @kernel
@@ -37,30 +37,115 @@ def bounds(corners: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
 
 
 @kernel
-def seen_from(
-    placed: npt.NDArray[np.float64], eye: npt.NDArray[np.float64], focal: float, center: npt.NDArray[np.float64]
+def bounds_along(corners: npt.NDArray[np.float64], axes: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    """Return the `bounds` of corners along the rows of `axes`."""
+    out = np.empty((2, 3))
+    out[0], out[1] = np.inf, -np.inf
+    for k in range(len(corners)):
+        for corner in range(3):
+            x, y, z = corners[k, corner, 0], corners[k, corner, 1], corners[k, corner, 2]
+            for axis in range(3):
+                along = x * axes[axis, 0] + y * axes[axis, 1] + z * axes[axis, 2]
+                out[0, axis] = min(out[0, axis], along)
+                out[1, axis] = max(out[1, axis], along)
+    return out
+
+
+@kernel
+def seen_along(
+    corners: npt.NDArray[np.float64],
+    axes: npt.NDArray[np.float64],
+    left_top: tuple[float, float],
+    scale: float,
+    border: float,
 ) -> npt.NDArray[np.float64]:
-    """Return corners along a camera's axes as pixels and the inverse of their distance along its optical axis.
+    """Return corners as pixels of a picture without perspective, and how far they are towards the eye.
 
     Parameters
     ----------
-    placed : (n, 3, 3) array
+    corners : (n, 3, 3) array
+    axes : (3, 3) array
+        Right, up, and towards the eye.
+    left_top : (float, float)
+        The place along the first two axes that the picture shows in its upper left corner, within the border.
+    scale : float
+        Pixels a metre.
+    border : float
+        Pixels.
+    """
+    out = np.empty_like(corners)
+    for k in range(len(corners)):
+        for corner in range(3):
+            x, y, z = corners[k, corner, 0], corners[k, corner, 1], corners[k, corner, 2]
+            right = x * axes[0, 0] + y * axes[0, 1] + z * axes[0, 2]
+            up = x * axes[1, 0] + y * axes[1, 1] + z * axes[1, 2]
+            out[k, corner, 0] = (right - left_top[0]) * scale + border
+            out[k, corner, 1] = (left_top[1] - up) * scale + border
+            out[k, corner, 2] = x * axes[2, 0] + y * axes[2, 1] + z * axes[2, 2]
+    return out
+
+
+@kernel
+def seen_from(
+    corners: npt.NDArray[np.float64],
+    axes: npt.NDArray[np.float64],
+    eye: npt.NDArray[np.float64],
+    focal: float,
+    center: npt.NDArray[np.float64],
+) -> npt.NDArray[np.float64]:
+    """Return corners as pixels of a camera's picture, and the inverse of their distance along its optical axis.
+
+    Parameters
+    ----------
+    corners : (n, 3, 3) array
+    axes : (3, 3) array
         Right, up, and towards the eye.
     eye : (3,) array
-        The eye's place along the same axes.
+        The eye's place along the axes.
     focal : float
         Focal length, pixels.
     center : (2,) array
         Where the optical axis meets the picture, pixels.
     """
-    out = np.empty_like(placed)
-    for k in range(len(placed)):
+    out = np.empty_like(corners)
+    for k in range(len(corners)):
         for corner in range(3):
-            inverse = 1.0 / max(eye[2] - placed[k, corner, 2], 0.1)
-            out[k, corner, 0] = center[0] + focal * (placed[k, corner, 0] - eye[0]) * inverse
-            out[k, corner, 1] = center[1] - focal * (placed[k, corner, 1] - eye[1]) * inverse
+            x, y, z = corners[k, corner, 0], corners[k, corner, 1], corners[k, corner, 2]
+            right = x * axes[0, 0] + y * axes[0, 1] + z * axes[0, 2]
+            up = x * axes[1, 0] + y * axes[1, 1] + z * axes[1, 2]
+            inverse = 1.0 / max(eye[2] - (x * axes[2, 0] + y * axes[2, 1] + z * axes[2, 2]), 0.1)
+            out[k, corner, 0] = center[0] + focal * (right - eye[0]) * inverse
+            out[k, corner, 1] = center[1] - focal * (up - eye[1]) * inverse
             out[k, corner, 2] = inverse
     return out
+
+
+@kernel
+def number_seen(index: npt.NDArray[np.int32], glass: npt.NDArray[np.int32], triangles: int) -> npt.NDArray[np.int64]:
+    """Return which of a number of triangles are seen, in their order, and number them anew in `index` and `glass`.
+
+    Parameters
+    ----------
+    index, glass : (height, width) arrays
+        The triangle that each pixel shows, -1 for none; changed to numbers of what is returned.
+    triangles : int
+        How many there are.
+    """
+    new = np.full(triangles, -1, dtype=np.int32)
+    for picture in (index, glass):
+        for y in range(picture.shape[0]):
+            for x in range(picture.shape[1]):
+                if picture[y, x] >= 0:
+                    new[picture[y, x]] = 0
+    seen = np.flatnonzero(new == 0)
+    for number in range(len(seen)):
+        new[seen[number]] = number
+    for picture in (index, glass):
+        for y in range(picture.shape[0]):
+            for x in range(picture.shape[1]):
+                if picture[y, x] >= 0:
+                    picture[y, x] = new[picture[y, x]]
+    return seen
 
 
 @kernel

@@ -1,23 +1,53 @@
 """A small software renderer: models flattened to triangles, drawn from above without perspective, or photographed."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 
 import numpy as np
 import numpy.typing as npt
 
 from mansion_export.meshes.model import Model, Node, Surface
-from mansion_export.pictures.projecting import bounds, project, rasterise, seen_from
+from mansion_export.pictures.projecting import bounds_along, number_seen, rasterise, seen_along, seen_from
 from mansion_export.pictures.shading import LIGHT, NO_HAZE, faces_seen, shade_pixels, shadow_map
 from mansion_export.pictures.texture_sampling import base_color, texture_number, tiles_at
 from mansion_geometry.compiled import Bools, Floats, Ints, kernel
 
-__all__ = ["Camera", "Triangles", "View", "flatten", "photograph", "render"]
+__all__ = ["Camera", "Looks", "Triangles", "View", "flatten", "photograph", "render"]
 
 
 Singles = npt.NDArray[np.float32]
 
 _BORDER = 4
+
+
+@dataclass(frozen=True, slots=True)
+class Looks:
+    """What triangles look like, however often each of them stands in a building.
+
+    Attributes
+    ----------
+    colors : (m, 3) array
+        sRGB from 0 to 1.
+    alpha : (m,) array
+    textures : (m,) array of int
+        Numbers of the sets of textures that the colours tint, see `texture_number`; -1 for none.
+    coordinates : (m, 3, 2) array
+        Place of the corners on the textures, metres.
+    """
+
+    colors: Floats
+    alpha: Floats
+    textures: Ints
+    coordinates: Floats
+
+    def rows(self, which: Bools | Ints) -> "Looks":
+        """Return some of the looks."""
+        return Looks(*(getattr(self, part.name)[which] for part in fields(self)))
+
+    @staticmethod
+    def join(parts: "Sequence[Looks]") -> "Looks":
+        """Return several lists of looks, one after the other."""
+        return Looks(*(np.concatenate([getattr(part, each.name) for part in parts]) for each in fields(Looks)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,31 +57,31 @@ class Triangles:
     Attributes
     ----------
     corners : (n, 3, 3) array
-    colors : (n, 3) array
-        sRGB from 0 to 1.
-    alpha : (n,) array
-    textures : (n,) array of int
-        Numbers of the sets of textures that the colours tint, see `texture_number`; -1 for none.
-    coordinates : (n, 3, 2) array
-        Place of the corners on the textures, metres.
+    looks : Looks
+    which : (n,) array of int
+        The row of `looks` that each triangle has; triangles of things that stand there many times share theirs.
     """
 
     corners: Floats
-    colors: Floats
-    alpha: Floats
-    textures: Ints
-    coordinates: Floats
+    looks: Looks
+    which: Ints
+
+    def __len__(self) -> int:
+        return len(self.which)
 
     @staticmethod
     def plain(corners: Floats, color: Floats) -> "Triangles":
         """Return opaque triangles of one colour."""
-        count = len(corners)
-        colors = np.tile(color, (count, 1))
-        return Triangles(corners, colors, np.ones(count), np.full(count, -1), np.zeros((count, 3, 2)))
+        look = Looks(np.array(color)[None], np.ones(1), np.full(1, -1), np.zeros((1, 3, 2)))
+        return Triangles(corners, look, np.zeros(len(corners), dtype=np.int64))
 
     def where(self, keep: Bools | Ints) -> "Triangles":
         """Return some of the triangles."""
-        return Triangles(*(getattr(self, part.name)[keep] for part in fields(self)))
+        return Triangles(self.corners[keep], self.looks, self.which[keep])
+
+    def apart(self) -> "Triangles":
+        """Return the triangles with a row of looks for each, in their order, which may be changed."""
+        return Triangles(self.corners, self.looks.rows(self.which), np.arange(len(self)))
 
     @staticmethod
     def of(surfaces: Sequence[Surface]) -> "Triangles":
@@ -59,20 +89,26 @@ class Triangles:
         counts = [len(surface.faces) for surface in surfaces]
         if not counts:
             return Triangles.join([])
-        return Triangles(
-            np.concatenate([surface.vertices[surface.faces] for surface in surfaces]),
+        looks = Looks(
             np.repeat([base_color(surface.material) for surface in surfaces], counts, axis=0),
             np.repeat([surface.material.alpha for surface in surfaces], counts),
             np.repeat([texture_number(surface.material.texture) for surface in surfaces], counts),
             np.concatenate([surface.coordinates for surface in surfaces]),
         )
+        corners = np.concatenate([surface.vertices[surface.faces] for surface in surfaces])
+        return Triangles(corners, looks, np.arange(len(corners)))
 
     @staticmethod
     def join(parts: "Sequence[Triangles]") -> "Triangles":
         """Return the triangles of several lists, one list after the other."""
         if not parts:
             return Triangles.plain(np.zeros((0, 3, 3)), np.zeros(3))
-        return Triangles(*(np.concatenate([getattr(part, each.name) for part in parts]) for each in fields(Triangles)))
+        starts = np.cumsum([0, *(len(part.looks.alpha) for part in parts)])
+        return Triangles(
+            np.concatenate([part.corners for part in parts]),
+            Looks.join([part.looks for part in parts]),
+            np.concatenate([part.which + start for part, start in zip(parts, starts)]),
+        )
 
 
 def flatten(model: Model, keep: Callable[[Node], bool] | None = None) -> Triangles:
@@ -87,16 +123,16 @@ def flatten(model: Model, keep: Callable[[Node], bool] | None = None) -> Triangl
     meshes: dict[str, int] = {}
     for node in nodes:
         meshes.setdefault(node.mesh, len(meshes))
-    sources = [Triangles.of(model.meshes[name].surfaces) for name in meshes]
-    source = Triangles.join(sources)
-    starts = np.cumsum([0, *(len(part.alpha) for part in sources)])
+    surfaces = [model.meshes[name].surfaces for name in meshes]
+    source = Triangles.of([surface for each in surfaces for surface in each])
+    starts = np.cumsum([0, *(sum(len(surface.faces) for surface in each) for each in surfaces)])
     which = np.array([meshes[node.mesh] for node in nodes], dtype=np.int64)
     poses = np.array([(*node.scale, *node.position, np.radians(node.rotation)) for node in nodes]).reshape(-1, 7)
     counts = (starts[1:] - starts[:-1])[which]
     corners = np.empty((int(counts.sum()), 3, 3))
     origin = np.empty(len(corners), dtype=np.int64)
     _place_instances(source.corners, starts, which, poses, corners, origin)
-    return replace(source.where(origin), corners=corners)
+    return Triangles(corners, source.looks, origin)
 
 
 @kernel
@@ -195,11 +231,9 @@ def render(
         Just large enough for the triangles, first row on top.
     """
     axes = view.axes()
-    samples = project(triangles.corners, axes)
-    low, high = bounds(samples)
+    low, high = bounds_along(triangles.corners, axes)
     scale, border = 2.0 * view.scale, 2 * _BORDER
-    samples[..., 0] = (samples[..., 0] - low[0]) * scale + border
-    samples[..., 1] = (high[1] - samples[..., 1]) * scale + border
+    samples = seen_along(triangles.corners, axes, (float(low[0]), float(high[1])), scale, float(border))
     width, height = (int(np.ceil(extent * view.scale)) + 2 * _BORDER for extent in (high - low)[:2])
     image = np.empty((height, width, 3), dtype=np.float32)
     image[:] = background
@@ -229,7 +263,7 @@ def photograph(
     both = Triangles.join([triangles, surroundings])
     eye = axes @ np.array(camera.eye)
     focal, center = 2.0 * camera.focal, 2.0 * np.array(camera.center)
-    samples = seen_from(project(both.corners, axes), eye, focal, center)
+    samples = seen_from(both.corners, axes, eye, focal, center)
     frame = (float(eye[0]), float(eye[1]), center[0] - 0.5, center[1] - 0.5, focal, float(eye[2]))
     _draw(both, samples, axes, np.array(camera.eye), frame, triangles.corners, background, (*camera.haze, camera.clear))
     return _bytes(background)
@@ -256,7 +290,7 @@ def _draw(
     casting : (m, 3, 3) array
         Corners of the first triangles, which cast shadows.
     """
-    clear = triangles.alpha <= 0.99
+    clear = (triangles.looks.alpha <= 0.99)[triangles.which]
     opaque, panes = np.flatnonzero(~clear), np.flatnonzero(clear)
     depth = np.full((2 * image.shape[0], 2 * image.shape[1]), -np.inf, dtype=np.float32)
     index = np.full(depth.shape, -1, dtype=np.int32)
@@ -267,14 +301,17 @@ def _draw(
     perspective = bool(np.isfinite(frame[5]))
     if perspective:
         np.subtract(np.float32(frame[5]), 1.0 / depth, out=depth, where=index >= 0)
-    shadow, corner, cell = shadow_map(project(casting, LIGHT), opaque[opaque < len(casting)])
-    tiles = tiles_at(np.unique(triangles.textures), _density(frame, depth))
+    shadow, corner, cell = shadow_map(casting, opaque[opaque < len(casting)])
+    # Of the triangles of a building few are seen: only their looks are gathered.
+    seen = number_seen(index, glass, len(triangles))
+    looks = triangles.looks.rows(triangles.which[seen])
+    tiles = tiles_at(np.unique(looks.textures), _density(frame, depth))
     shade_pixels(
         depth,
         index,
         glass,
-        faces_seen(triangles.corners, samples, triangles.coordinates, index, eye, perspective),
-        (triangles.colors, triangles.alpha, triangles.textures),
+        faces_seen(triangles.corners[seen], samples[seen], looks.coordinates, eye, perspective),
+        (looks.colors, looks.alpha, looks.textures),
         (tiles.texels, tiles.frames, tiles.sizes),
         shadow,
         (float(corner[0]), float(corner[1]), cell),

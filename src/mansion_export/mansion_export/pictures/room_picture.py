@@ -13,7 +13,7 @@ from mansion_export.meshes.building_model import object_parts
 from mansion_export.meshes.materials import named
 from mansion_export.meshes.model import Node, Part, assemble
 from mansion_export.meshes.solids import Box, boxes_surface, polygon_surface
-from mansion_export.pictures.projecting import bounds, project
+from mansion_export.pictures.projecting import bounds_along
 from mansion_export.pictures.renderer import Triangles, View, flatten, render
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.late_imports import importing
@@ -78,7 +78,7 @@ def _drawn(triangles: Triangles, size: tuple[int, int], azimuth: float) -> "Imag
     from PIL import Image
 
     view = View(azimuth, 56.0)
-    low, high = bounds(project(triangles.corners, view.axes()))
+    low, high = bounds_along(triangles.corners, view.axes())
     fit = min(size[0] / (high[0] - low[0]), size[1] / (high[1] - low[1]))
     scale = 0.95 * float(fit)
     return Image.fromarray(render(triangles, View(view.azimuth, view.elevation, scale)))

@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from mansion_export.pictures.projecting import bounds, rasterise
+from mansion_export.pictures.projecting import bounds_along, project, rasterise
 from mansion_geometry.compiled import Floats, Ints, kernel
 
 __all__ = ["LIGHT", "NO_HAZE", "faces_seen", "shade_pixels", "shadow_map"]
@@ -43,11 +43,10 @@ def faces_seen(
     corners: npt.NDArray[np.float64],
     pixels: npt.NDArray[np.float64],
     coordinates: npt.NDArray[np.float64],
-    index: npt.NDArray[np.int32],
     eye: npt.NDArray[np.float64],
     perspective: bool,
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
-    """Return how each triangle that a pixel shows is lit, and how its texture lies in the picture.
+    """Return how each triangle is lit, and how its texture lies in the picture.
 
     Parameters
     ----------
@@ -55,8 +54,6 @@ def faces_seen(
         In the world, and in the picture.
     coordinates : (n, 3, 2) array
         On textures.
-    index : (height, width) array
-        The triangle that each pixel shows, -1 for none.
     eye : (3,) array
         Where the eye is, or without perspective the direction towards it.
     perspective : bool
@@ -69,13 +66,8 @@ def faces_seen(
         A pixel, the first coordinate there with its growth a pixel to the right and down, and the second; with
         perspective they are over the distance.
     """
-    seen = np.zeros(len(corners), dtype=np.bool_)
-    for y in range(index.shape[0]):
-        for x in range(index.shape[1]):
-            if index[y, x] >= 0:
-                seen[index[y, x]] = True
     lit, laid = np.zeros((len(corners), 5)), np.zeros((len(corners), 8))
-    for k in np.flatnonzero(seen):
+    for k in range(len(corners)):
         ax, ay, az = corners[k, 1] - corners[k, 0]
         bx, by, bz = corners[k, 2] - corners[k, 0]
         x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
@@ -107,25 +99,34 @@ def faces_seen(
     return lit, laid
 
 
-def shadow_map(cast: Floats, opaque: Ints) -> tuple[Singles, Floats, float]:
+def shadow_map(casting: Floats, opaque: Ints) -> tuple[Singles, Floats, float]:
     """Return the depths that the sun sees, the place of cell (0, 0), and the length of a cell.
 
     Parameters
     ----------
-    cast : (n, 3, 3) array
-        Corners along the axes of `LIGHT`.
+    casting : (n, 3, 3) array
+        Corners in the world.
     opaque : (m,) array of int
         The triangles that cast shadows.
     """
-    low, high = bounds(cast)
+    low, high = bounds_along(casting, LIGHT)
     extent = high - low
     cell = max(SHADOW_CELL, float(extent[:2].max()) / 1600.0)
-    placed = cast.copy()
-    placed[..., :2] = (cast[..., :2] - low[:2]) / cell + 2
+    placed = project(casting, LIGHT)
+    _count_cells(placed, (float(low[0]), float(low[1])), cell)
     shape = (int(extent[1] / cell) + 5, int(extent[0] / cell) + 5)
     depth = np.full(shape, -np.inf, dtype=np.float32)
     rasterise(placed, opaque, depth, np.full(shape, -1, dtype=np.int32))
     return depth, low[:2] - 2 * cell, cell
+
+
+@kernel
+def _count_cells(placed: npt.NDArray[np.float64], low: tuple[float, float], cell: float) -> None:
+    """Turn the first two coordinates of corners into cells of a map that begins two cells below `low`."""
+    for k in range(len(placed)):
+        for corner in range(3):
+            for axis in range(2):
+                placed[k, corner, axis] = (placed[k, corner, axis] - low[axis]) / cell + 2.0
 
 
 @kernel

@@ -13,7 +13,7 @@ from mansion_export.exterior.fronts import front_of
 from mansion_export.meshes.model import Model, Node
 from mansion_export.meshes.solids import SIDES
 from mansion_export.pictures.backdrop import HORIZON, ground_surfaces, sky
-from mansion_export.pictures.projecting import bounds, project, seen_from, turned
+from mansion_export.pictures.projecting import bounds, seen_from, turned
 from mansion_export.pictures.renderer import Camera, Triangles, flatten, photograph
 from mansion_export.pictures.texture_sampling import texture_number
 from mansion_geometry.compiled import Floats
@@ -116,8 +116,8 @@ class StreetView:
 
     def _bounds(self, camera: Camera) -> tuple[Floats, Floats]:
         axes = camera.axes()
-        placed = project(self._ends[:, None].repeat(3, axis=1), axes)
-        low, high = bounds(seen_from(placed, axes @ np.array(camera.eye), camera.focal, np.array(camera.center)))
+        ends = self._ends[:, None].repeat(3, axis=1)
+        low, high = bounds(seen_from(ends, axes, axes @ np.array(camera.eye), camera.focal, np.array(camera.center)))
         return low, high
 
     def _extent(self, camera: Camera) -> tuple[float, float]:
@@ -179,9 +179,11 @@ def _outside(node: Node, inner: set[str]) -> bool:
 
 def mirroring(triangles: Triangles) -> Triangles:
     """Return triangles whose boxes of glass are opaque and show the sky, each pane in a tone of its own."""
-    glass = np.flatnonzero(triangles.alpha < 0.99)
+    glass = np.flatnonzero((triangles.looks.alpha < 0.99)[triangles.which])
     if not len(glass) or len(glass) % len(SIDES):
         return triangles
+    shown = triangles.apart()
+    looks = shown.looks
     corners = triangles.corners[glass].reshape(-1, len(SIDES) * 3, 3)
     low, high = corners.min(axis=1), corners.max(axis=1)
     height = np.maximum(high[:, 2] - low[:, 2], 1e-3)[:, None]
@@ -191,10 +193,8 @@ def mirroring(triangles: Triangles) -> Triangles:
     up = (corners[..., 2] - low[:, None, 2]) / height
     # Neighbours differ, and the same building always looks the same.
     numbers = np.round((low + high) @ (3.1, 5.3, 7.7)).astype(np.int64) % len(TONES)
-    colors, alpha = triangles.colors.copy(), triangles.alpha.copy()
-    textures, coordinates = triangles.textures.copy(), triangles.coordinates.copy()
-    colors[glass] = np.repeat(TONES[numbers], len(SIDES), axis=0)
-    alpha[glass] = 1.0
-    textures[glass] = texture_number(set_of("mirroring_glass"))
-    coordinates[glass] = np.stack([across, up], axis=-1).reshape(-1, 3, 2)
-    return replace(triangles, colors=colors, alpha=alpha, textures=textures, coordinates=coordinates)
+    looks.colors[glass] = np.repeat(TONES[numbers], len(SIDES), axis=0)
+    looks.alpha[glass] = 1.0
+    looks.textures[glass] = texture_number(set_of("mirroring_glass"))
+    looks.coordinates[glass] = np.stack([across, up], axis=-1).reshape(-1, 3, 2)
+    return shown

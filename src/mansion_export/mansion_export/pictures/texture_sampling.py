@@ -127,19 +127,17 @@ def _shrunk(name: str, halved_across: int, halved_down: int) -> Floats:
 
 
 def _halved(name: str, halved_across: int, halved_down: int) -> Floats:
-    tile = _texels(name)
-    rows, columns = tile.shape[:2]
-    down, across = min(2**halved_down, rows), min(2**halved_across, columns)
-    whole = tile[: rows // down * down, : columns // across * across]
-    mean: Floats = whole.reshape(rows // down, down, columns // across, across, 3).mean(axis=(1, 3))
-    return mean
-
-
-def _texels(name: str) -> Floats:
-    """Return a set's base colour, over its mean unless the colours are its own."""
+    """Return means over blocks of a set's base colour, over the mean of all unless the colours are its own."""
     from PIL import Image
 
     made = texture_set(name)
-    pixels = np.asarray(Image.open(io.BytesIO(made.base)).convert("RGB"), dtype=np.float64) / 255.0
-    texels: Floats = pixels if made.own_colours else pixels / np.array(made.level)
+    pixels = np.asarray(Image.open(io.BytesIO(made.base)).convert("RGB"))
+    rows, columns = pixels.shape[:2]
+    down, across = min(2**halved_down, rows), min(2**halved_across, columns)
+    # Whole numbers, and whole rows first: a mean over both axes at once goes through memory in short steps.
+    whole = pixels[: rows // down * down].reshape(rows // down, down, columns * 3).sum(axis=1, dtype=np.uint32)
+    whole = whole.reshape(rows // down, columns, 3)[:, : columns // across * across]
+    totals = whole.reshape(rows // down, columns // across, across, 3).sum(axis=2, dtype=np.uint32)
+    level = np.ones(3) if made.own_colours else np.array(made.level)
+    texels: Floats = totals / (255.0 * down * across * level)
     return texels

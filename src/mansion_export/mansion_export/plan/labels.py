@@ -9,7 +9,7 @@ import numpy as np
 from mansion_export.plan.palette import INK, room_tint
 from mansion_export.plan.shapes import Area, Canvas, Label, Shape
 from mansion_export.presentation import room_title
-from mansion_geometry.compiled import Bools, Floats
+from mansion_geometry.compiled import Bools, Floats, Ints
 from mansion_geometry.rasters import ring_mask
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.shapes import Point
@@ -164,21 +164,27 @@ def place_label(scene: FloorScene, room: SceneRoom, boxes: Sequence[LabelBox]) -
     aside = np.hypot(
         (xs[None, :] - xs[inside.any(0)].mean()) / np.ptp(xs), (ys[:, None] - ys[inside.any(1)].mean()) / np.ptp(ys)
     )
+    # Only in the room are labels placed, a part of the cells.
+    rows, columns = (slice(k[0], k[-1] + 1) for k in (np.flatnonzero(inside.any(1)), np.flatnonzero(inside.any(0))))
+    inside, aside = inside[rows, columns], aside[rows, columns]
     best, found = -np.inf, LabelPlace(0, (float(xs[0]), float(ys[0])), False)
     for option, box in enumerate(boxes):
-        if box.worth <= best:
-            break
         for turned in (False, True):
+            most = box.worth - (_TURNED if turned else 0.0)
+            if most <= best:
+                continue
             across, up = (box.height, box.width) if turned else (box.width, box.height)
-            outside = _share(outside_sums, across, up, xs, ys)
-            cost = _COVERED * _share(covered_sums, across, up, xs, ys)
+            window = _window(across, up, xs, ys, rows, columns)
+            outside = window.share(outside_sums)
+            cost = _COVERED * window.share(covered_sums)
             cost += np.where(outside > 0.0, _LEAVING[0] + _LEAVING[1] * outside, 0.0)
             value = box.worth - cost - _ASIDE * aside - (_TURNED if turned else 0.0)
             value = np.where(inside, value, -np.inf)
             j, i = np.unravel_index(int(np.argmax(value)), value.shape)
             if value[j, i] > best + 1e-9:
                 best = float(value[j, i])
-                found = LabelPlace(option, (float(xs[i]), float(ys[j])), turned)
+                at = float(xs[columns.start + i]), float(ys[rows.start + j])
+                found = LabelPlace(option, at, turned)
     return found
 
 
@@ -235,14 +241,33 @@ def _sums(cells: Bools) -> Floats:
     return sums
 
 
-def _share(sums: Floats, width: float, height: float, xs: Floats, ys: Floats) -> Floats:
-    """Return the share of marked cells in a window around each cell."""
-    ny, nx = sums.shape[0] - 1, sums.shape[1] - 1
+@dataclass(frozen=True)
+class _Window:
+    """A window around each of some cells: the corners of each row and column of them, and how many cells it has."""
+
+    low_rows: Ints
+    high_rows: Ints
+    low_columns: Ints
+    high_columns: Ints
+    cells: int
+
+    def share(self, sums: Floats) -> Floats:
+        """Return the share of marked cells in the window around each cell."""
+        rows = sums[self.high_rows] - sums[self.low_rows]
+        share: Floats = (rows[:, self.high_columns] - rows[:, self.low_columns]) / self.cells
+        return share
+
+
+def _window(width: float, height: float, xs: Floats, ys: Floats, rows: slice, columns: slice) -> _Window:
+    """Return the window of a size around each cell of some rows and columns."""
+    nx, ny = len(xs), len(ys)
     rx = max(1, ceil(width / 2 / float(xs[1] - xs[0]) - 0.5))
     ry = max(1, ceil(height / 2 / float(ys[1] - ys[0]) - 0.5))
-    i0, i1 = np.clip(np.arange(nx) - rx, 0, nx), np.clip(np.arange(nx) + rx + 1, 0, nx)
-    j0, j1 = np.clip(np.arange(ny) - ry, 0, ny), np.clip(np.arange(ny) + ry + 1, 0, ny)
-    rows = sums[j1] - sums[j0]
-    total = rows[:, i1] - rows[:, i0]
-    share: Floats = total / ((2 * ry + 1) * (2 * rx + 1))
-    return share
+    i, j = np.arange(nx)[columns], np.arange(ny)[rows]
+    return _Window(
+        np.maximum(j - ry, 0),
+        np.minimum(j + ry + 1, ny),
+        np.maximum(i - rx, 0),
+        np.minimum(i + rx + 1, nx),
+        (2 * ry + 1) * (2 * rx + 1),
+    )

@@ -48,7 +48,7 @@ def drawing_png(drawing: Drawing, longest: int = LONGEST) -> bytes:
     scale = min(longest / max(drawing.width, drawing.height), FINEST)
     picture = _paint(drawing, scale)
     buffer = io.BytesIO()
-    picture.save(buffer, format="PNG", compress_level=4)
+    picture.save(buffer, format="PNG", compress_level=1)
     return buffer.getvalue()
 
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from shapely import Point as ShapelyPoint
+import shapely
 from shapely import Polygon
 
 from mansion_assets.catalogue import Asset, Catalogue, HangRequest
@@ -122,14 +122,12 @@ class CeilingSpace:
         ring = list(self.room.exterior.coords)
         us = [c * x + s * y for x, y in ring]
         vs = [-s * x + c * y for x, y in ring]
-        nu = max(1, round((max(us) - min(us)) / spacing))
-        nv = max(1, round((max(vs) - min(vs)) / spacing))
-        out = []
+        u0, v0, width, depth = min(us), min(vs), max(us) - min(us), max(vs) - min(vs)
+        nu, nv = max(1, round(width / spacing)), max(1, round(depth / spacing))
+        points = []
         for i in range(nu):
             for j in range(nv):
-                u = min(us) + (i + 0.5 + shift) * (max(us) - min(us)) / nu
-                v = min(vs) + (j + 0.5 + shift) * (max(vs) - min(vs)) / nv
-                point = (c * u - s * v, s * u + c * v)
-                if self.room.contains(ShapelyPoint(point)):
-                    out.append(point)
-        return out
+                u, v = u0 + (i + 0.5 + shift) * width / nu, v0 + (j + 0.5 + shift) * depth / nv
+                points.append((c * u - s * v, s * u + c * v))
+        inside = shapely.contains_xy(self.room, np.array(points))
+        return [point for point, there in zip(points, inside, strict=True) if there]

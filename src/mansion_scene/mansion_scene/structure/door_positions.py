@@ -85,7 +85,7 @@ def approach_zone(
     (ax, ay), (bx, by) = segment
     nx, ny = inward
     near, far = wall, wall + depth
-    return Polygon(
+    zone: Polygon = shapely.polygons(
         [
             (ax + nx * near, ay + ny * near),
             (bx + nx * near, by + ny * near),
@@ -93,6 +93,7 @@ def approach_zone(
             (ax + nx * far, ay + ny * far),
         ]
     )
+    return zone
 
 
 def _free_intervals(boundary: BoundarySegment, taken: Sequence[Segment], margin: float) -> list[tuple[float, float]]:
@@ -165,7 +166,7 @@ def _cost(position: Position, sides: Sequence[tuple[Frontage, Point]]) -> float:
         cost += frontage.weight * _loss(frontage, position)
         if not frontage.net.covers(zone):
             cost += 20.0 * max(zone.area - frontage.net.intersection(zone).area - 1e-3, 0.0)
-        cost += 6.0 * sum(zone.intersection(other).area for other in frontage.zones)
+        cost += 6.0 * sum(zone.intersection(other).area for other in frontage.zones if zone.intersects(other))
         cost += sum(_FURNITURE + zone.intersection(other).area for other in frontage.standing if zone.intersects(other))
     return cost
 
