@@ -85,7 +85,13 @@ def room_openings(structure: FloorOpenings, room: SceneRoom) -> tuple[list[Place
     """Return a room's doors and windows as openings in the boundary of its net interior."""
     net = Polygon(room.net_polygon, room.net_holes)
     doors = [
-        PlacementOpening(id=door.id, segment=_on_boundary(net, door.segment), sill=0.0, is_open=door.kind == "open")
+        PlacementOpening(
+            id=door.id,
+            segment=_on_boundary(net, door.segment),
+            sill=0.0,
+            is_open=door.kind == "open",
+            is_outer=None in door.rooms,
+        )
         for door in structure.doors
         if room.id in door.rooms
     ]
@@ -126,6 +132,8 @@ class RoomFurnisher:
         By room, what the brief asks for in it.
     building_type : str
         A room may be furnished as another type because of it, see `furnished_as`.
+    called : str
+        What the brief calls the building, where that is no such type.
     clutter : mapping of str to {"sparse", "dense"}, optional
         The rooms in which fewer or more small objects than usual lie about.
     """
@@ -140,11 +148,13 @@ class RoomFurnisher:
         chooser: ItemChooser | None = None,
         requested: Mapping[str, Sequence[RequestedObject]] | None = None,
         building_type: str = "",
+        called: str = "",
         clutter: Mapping[str, Clutter] | None = None,
     ) -> None:
         self._structure = structure
         self._clutter = clutter or {}
         self._building_type = building_type
+        self._called = called
         self._seed = seed
         self._style = style
         self._chooser = chooser
@@ -160,7 +170,7 @@ class RoomFurnisher:
             What is in the room already; it keeps its place and its id, and is not among the objects returned.
         """
         asked = self._requested.get(room.id, ())
-        kind = furnished_as(room.room_type, self._building_type, room.name, self._beside(room))
+        kind = furnished_as(room.room_type, self._building_type, room.name, self._beside(room), self._called)
         room = msgspec.structs.replace(room, room_type=kind)
         net = Polygon(room.net_polygon, room.net_holes)
         slept_in = slept_in_as(room, self._structure.rooms, self._building_type)
