@@ -189,6 +189,7 @@ def _lies_outside(box: Box, massing: Massing) -> bool:
 
 _KITCHENS = ("kitchen", "open_kitchen", "kitchen_diner")
 _GROUP = ("living_room", "dining_room", "open_kitchen", "kitchen_diner", "lounge", "studio_room")
+_BATHS = ("bathroom", "ensuite_bathroom")
 _UTILITY = ("utility_room", "laundry_room", "pantry")
 
 _MOST_HALL = 0.15
@@ -199,6 +200,9 @@ _SLENDER = 2.2
 
 _HALL_PRICE, _KITCHEN_PRICE, _UTILITY_PRICE, _SLENDER_PRICE = 1.0, 1.5, 0.75, 0.4
 """What each fault counts for, beside a strip or a room of a wrong size, which counts 1."""
+
+_LONG, _LONG_PRICE = 2.0, 1.5
+"""Long side to short side from which a living room that others line is long, and what each time more counts for."""
 
 _EACH_SHARE = 8.0
 """What the share of the halls beyond the most adds to its price."""
@@ -232,11 +236,12 @@ def _storey_faults(storey: Storey, sketch: Sketch) -> float:
     """Return what is wrong with the places and forms of a storey's rooms."""
     placed = [placement for placement in sketch.rooms if placement.boxes]
     kitchens, group, utility = (_of(placed, kinds) for kinds in (_KITCHENS, _GROUP, _UTILITY))
-    price = _SLENDER_PRICE * sum(p.room.kind.daylight and aspect(p.boxes) > _SLENDER for p in placed)
+    slender = (p for p in placed if p.room.kind.daylight or p.room.kind.name in _BATHS)
+    price = _SLENDER_PRICE * sum(aspect(p.boxes) > _SLENDER for p in slender)
     if storey.hub.daylight and sketch.corridors:
         # The room that the others line is no placed room: whether it is a strip is told here alone.
         form = aspect(sketch.corridors[0].boxes)
-        price += _SLENDER_PRICE * (form > _SLENDER) + (form > STRIP)
+        price += _LONG_PRICE * max(form - _LONG, 0.0)
     if kitchens and group and storey.hub.name not in _GROUP:
         price += _KITCHEN_PRICE * (not _are_beside(kitchens, group))
     if kitchens and utility:
