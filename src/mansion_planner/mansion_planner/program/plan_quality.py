@@ -14,6 +14,7 @@ __all__ = [
     "dark_rooms",
     "fill",
     "home_faults",
+    "is_shallow_bay",
     "long_halls",
     "ragged",
     "shallow_garages",
@@ -139,6 +140,18 @@ def _holds_cars(garage: Placement, bounds: Sequence[float]) -> bool:
     width, length = _CAR
     least = length if garage.room.area >= _TWO_CARS else width
     return any(front >= least - 0.01 and depth >= length - 0.01 for front, depth in ways_in)
+
+
+_ENGINE = 7.4
+"""Depth of a bay for a fire engine behind its door, with the way around it, metres."""
+
+
+def is_shallow_bay(storey: Storey, sketch: Sketch) -> bool:
+    """Whether the hall that engines drive out of is too shallow for one to stand behind its door."""
+    if storey.hub.name not in ("apparatus_bay", "ambulance_bay") or not sketch.corridors:
+        return False
+    largest = max(sketch.corridors[0].boxes, key=box_area)
+    return min(largest[2] - largest[0], largest[3] - largest[1]) < _ENGINE
 
 
 _SHRUNK = 0.9
