@@ -69,3 +69,35 @@ def test_those_who_need_care_wash_without_a_tub() -> None:
     assert furnished_as("bathroom", "nursing_home") == "accessible_bathroom"
     assert furnished_as("bathroom", "house", "Accessible bathroom") == "accessible_bathroom"
     assert furnished_as("bathroom", "house") == "bathroom"
+
+
+@pytest.mark.parametrize(
+    ("room_type", "building_type", "called", "expected"),
+    [
+        ("sales_area", "shop_building", "bookshop", "bookshop_floor"),
+        ("sales_area", "shop_building", "", "shop"),
+        ("gallery", "museum", "natural_history_museum", "natural_history_hall"),
+        ("gallery", "museum", "", "gallery"),
+    ],
+)
+def test_what_a_brief_calls_a_building_says_more_than_its_type(
+    room_type: str, building_type: str, called: str, expected: str
+) -> None:
+    assert furnished_as(room_type, building_type, called=called) == expected
+
+
+@pytest.mark.parametrize(
+    ("room_type", "building_type", "name", "expected"),
+    [
+        ("hospital_ward", "veterinary_clinic", "ward", "animal_ward"),
+        ("kennel", "veterinary_clinic", "bird ward", "animal_ward"),
+        ("dressing_room", "theatre", "make-up room", "makeup_room"),
+        ("dressing_room", "villa", "dressing room", "walk_in_closet"),
+        ("sound_control_room", "tv_station", "editing room", "editing_suite"),
+        ("gallery", "church", "choir gallery", "choir_gallery"),
+        ("storage", "car_workshop", "tyre room", "tyre_store"),
+        ("electrical_room", "data_center", "battery room", "battery_room"),
+    ],
+)
+def test_rooms_for_one_use_have_its_furniture(room_type: str, building_type: str, name: str, expected: str) -> None:
+    assert furnished_as(room_type, building_type, name) == expected

@@ -32,6 +32,7 @@ def building_name(scene: FloorScene) -> str:
     """Return what people call a building: as its brief does, or as its type: ``Office``, ``Fire station``."""
     kind = scene.called or scene.building_type or scene.building_id
     name = kind.removesuffix("_building").replace("_", " ").strip() or "building"
+    name = re.sub(r"\b(tv|dj|it|ev)\b", lambda letters: letters[0].upper(), name)
     return name[0].upper() + name[1:]
 
 
@@ -55,9 +56,10 @@ def _count(number: int) -> str:
 
 
 def room_title(room: SceneRoom) -> str:
-    """Return the name that a person reads: the room's own, or its type in words."""
+    """Return the name that a person reads: the room's own, or its type in words; "own bathroom" is a bathroom."""
     name = room.name or room.id.rsplit("/", 1)[-1]
     words = re.sub(r"\b(men|women|children)s\b", r"\1's", name.replace("_", " ").strip(), flags=re.IGNORECASE)
+    words = words.removeprefix("own ").removeprefix("its own ")
     return words[:1].upper() + words[1:]
 
 

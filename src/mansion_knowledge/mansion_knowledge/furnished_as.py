@@ -33,7 +33,9 @@ def _rules() -> list[_Rule]:
     return msgspec.toml.decode(text, type=prepared(_Rules)).rule
 
 
-def furnished_as(room_type: str, building_type: str = "", name: str = "", beside: Collection[str] = ()) -> str:
+def furnished_as(
+    room_type: str, building_type: str = "", name: str = "", beside: Collection[str] = (), called: str = ""
+) -> str:
     """Return the type whose furniture a room gets: its own, but for what `furnished_as.toml` states.
 
     Parameters
@@ -44,6 +46,8 @@ def furnished_as(room_type: str, building_type: str = "", name: str = "", beside
         What people call the room.
     beside : collection of str
         Types of the other rooms of its floor.
+    called : str
+        What the brief calls the building, where that says more than its type: a `bookshop` of type `shop_building`.
 
     Examples
     --------
@@ -53,14 +57,16 @@ def furnished_as(room_type: str, building_type: str = "", name: str = "", beside
     'private_dining_room'
     >>> furnished_as("roof_terrace", "villa"), furnished_as("roof_terrace", "hotel")
     ('home_terrace', 'roof_terrace')
+    >>> furnished_as("sales_area", "shop_building", called="bookshop")
+    'bookshop_floor'
     """
-    building, called = _words(building_type), _words(name)
+    building, words = _words(f"{building_type} {called}"), _words(name)
     for rule in _rules():
         if (
             (not rule.rooms or room_type in rule.rooms)
             and (not rule.buildings or building.intersection(rule.buildings))
             and (not rule.families or _family(building_type) in rule.families)
-            and (not rule.names or called.intersection(rule.names))
+            and (not rule.names or words.intersection(rule.names))
             and (not rule.beside or any(other in rule.beside for other in beside))
         ):
             return rule.as_

@@ -56,12 +56,26 @@ def leading_rules(room: CalledRoom, into: CalledRoom, family: str = "") -> tuple
     True
     >>> leading_rules(CalledRoom("assembly_hall"), CalledRoom("storage"), "civic")
     ()
+    >>> leading_rules(CalledRoom("changing_room", "men's changing room"), CalledRoom("shower_area", "women's shower"))
+    ()
     """
+    if _are_apart(room.name, into.name):
+        return ()
     return tuple(
         number
         for number, rule in enumerate(_rules())
         if (not rule.families or family in rule.families) and _is_one(room, rule.rooms) and _is_one(into, rule.into)
     )
+
+
+_MALE = frozenset({"man", "men", "mens", "boy", "boys", "gents", "gentlemen", "male"})
+_FEMALE = frozenset({"woman", "women", "womens", "girl", "girls", "ladies", "lady", "female"})
+
+
+def _are_apart(name: str, other: str) -> bool:
+    """Whether one of two rooms is for men and the other for women."""
+    words, others = (set(re.findall("[a-z]+", text.lower().replace("'", ""))) for text in (name, other))
+    return bool((words & _MALE and others & _FEMALE) or (words & _FEMALE and others & _MALE))
 
 
 def _is_one(room: CalledRoom, names: list[str]) -> bool:

@@ -89,12 +89,15 @@ class PlacementOpening(msgspec.Struct, frozen=True, kw_only=True):
         Height below which furniture may stand before it; 0 for a door.
     is_open : bool
         It is a door without a leaf: two rooms are one space through it where it is wide.
+    is_outer : bool
+        It is a door that leads outside.
     """
 
     segment: Segment
     id: str = ""
     sill: Elevation = 0.9
     is_open: bool = False
+    is_outer: bool = False
 
 
 class PlacementRoom(msgspec.Struct, frozen=True, kw_only=True):

@@ -101,6 +101,7 @@ def _contents(
         chooser=chooser,
         requested={f"F{request.floor.index}/{room.id}": room.objects for room in request.floor.rooms},
         building_type=request.building_type,
+        called=request.called or "",
         clutter={
             f"F{request.floor.index}/{room.id}": room.clutter
             for room in request.floor.rooms

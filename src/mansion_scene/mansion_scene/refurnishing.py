@@ -44,5 +44,6 @@ def furnish_room(
         catalogue=catalogue,
         requested={room.id: list(requested)},
         building_type=scene.building_type,
+        called=scene.called or "",
     )
     return furnisher.furnish(room, standing)

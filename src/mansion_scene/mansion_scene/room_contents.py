@@ -92,7 +92,12 @@ def room_openings(structure: FloorOpenings, room: SceneRoom) -> tuple[list[Place
     openings = [*(door.segment for door in doors), *(window.segment for window in windows)]
     segments = iter(_on_boundary(boundary, openings))
     return (
-        [PlacementOpening(id=d.id, segment=next(segments), sill=0.0, is_open=d.kind == "open") for d in doors],
+        [
+            PlacementOpening(
+                id=d.id, segment=next(segments), sill=0.0, is_open=d.kind == "open", is_outer=None in d.rooms
+            )
+            for d in doors
+        ],
         [PlacementOpening(id=w.id, segment=next(segments), sill=w.sill) for w in windows],
     )
 
@@ -128,6 +133,8 @@ class RoomFurnisher:
         By room, what the brief asks for in it.
     building_type : str
         A room may be furnished as another type because of it, see `furnished_as`.
+    called : str
+        What the brief calls the building, where that is no such type.
     clutter : mapping of str to {"sparse", "dense"}, optional
         The rooms in which fewer or more small objects than usual lie about.
     """
@@ -142,11 +149,13 @@ class RoomFurnisher:
         chooser: ItemChooser | None = None,
         requested: Mapping[str, Sequence[RequestedObject]] | None = None,
         building_type: str = "",
+        called: str = "",
         clutter: Mapping[str, Clutter] | None = None,
     ) -> None:
         self._structure = structure
         self._clutter = clutter or {}
         self._building_type = building_type
+        self._called = called
         self._seed = seed
         self._style = style
         self._chooser = chooser
@@ -162,7 +171,7 @@ class RoomFurnisher:
             What is in the room already; it keeps its place and its id, and is not among the objects returned.
         """
         asked = self._requested.get(room.id, ())
-        kind = furnished_as(room.room_type, self._building_type, room.name, self._beside(room))
+        kind = furnished_as(room.room_type, self._building_type, room.name, self._beside(room), self._called)
         room = msgspec.structs.replace(room, room_type=kind)
         net = Polygon(room.net_polygon, room.net_holes)
         slept_in = slept_in_as(room, self._structure.rooms, self._building_type)

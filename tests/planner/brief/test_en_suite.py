@@ -97,3 +97,10 @@ def test_a_room_beside_those_that_each_bedroom_has_stands_once() -> None:
 def test_each_bedroom_has_all_that_is_said_of_each() -> None:
     rooms = {room.name: room for room in _rooms("A house with four bedrooms, each with a bathroom and a closet.")}
     assert [part.name for part in rooms["bedroom"].suite] == ["bathroom", "closet"]
+
+
+@pytest.mark.parametrize("kind", ["ensuite", "en-suite"])
+def test_rooms_with_bathrooms_lie_on_the_storeys_that_are_told_behind(kind: str) -> None:
+    rooms = _rooms(f"A hotel with a bar on the ground floor and ten {kind} rooms on each floor above.")
+    found = next(room for room in rooms if room.name == "room")
+    assert (found.count, found.each, [ref.kind for ref in found.floors]) == (10, True, ["upper"])

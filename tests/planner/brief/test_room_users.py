@@ -97,3 +97,14 @@ def test_rooms_of_many_are_not_one_for_each_kind_of_user(brief: str) -> None:
 def test_furniture_of_a_room_ends_before_what_is_added_to_the_building() -> None:
     brief = "A school with four classrooms, each fitted with 16 desks and a board, plus toilets for girls and boys."
     assert {"girl_toilet", "boy_toilet"} <= {name for name, _, _ in rooms(brief)}
+
+
+@pytest.mark.parametrize(
+    ("brief", "labels"),
+    [
+        ("A restaurant with toilets for men and women.", {"men's toilet", "women's toilet"}),
+        ("A school with boys' and girls' toilets.", {"boys' toilet", "girls' toilet"}),
+    ],
+)
+def test_a_room_is_called_after_all_who_use_it(brief: str, labels: set[str]) -> None:
+    assert {room.label for room in read_brief(brief, default_knowledge()).rooms} == labels

@@ -42,3 +42,13 @@ def test_an_accessible_one_is_among_them(said: str) -> None:
 
 def test_people_are_no_rooms() -> None:
     assert counts("Factory with changing rooms for 20 men and 10 women.").keys() == {"changing_room"}
+
+
+def test_what_rooms_for_men_and_women_have_each_of_them_has() -> None:
+    rooms = read("A gym with changing rooms with showers for men and women, a sauna and a bar.").rooms
+    assert {room.name: [part.name for part in room.suite] for room in rooms} == {
+        "man_changing_room": ["shower"],
+        "woman_changing_room": ["shower"],
+        "sauna": [],
+        "bar": [],
+    }

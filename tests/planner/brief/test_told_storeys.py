@@ -151,3 +151,16 @@ def test_flats_elsewhere_or_other_things_one_above_the_other_are_no_storeys(brie
 def test_a_room_in_a_basement_that_a_clause_tells_more_of_lies_there() -> None:
     brief = "House of two storeys. Ground floor: kitchen. The laundry is in the basement, where the boiler stands."
     assert storeys_of(brief, "laundry") == {0: 1}
+
+
+def test_lists_that_end_downstairs_and_upstairs_lie_there_as_a_whole() -> None:
+    brief = "A house with a kitchen, a study and a WC downstairs, three bedrooms, a playroom and a bathroom upstairs."
+    assert [storeys_of(brief, name) for name in ("kitchen", "study", "wc")] == [{1: 1}] * 3
+    assert [storeys_of(brief, name) for name in ("bedroom", "playroom", "bathroom")] == [{2: 3}, {2: 1}, {2: 1}]
+
+
+def test_what_belongs_to_an_entry_of_a_list_is_not_on_each_storey_of_the_next() -> None:
+    brief = "A school of two storeys with a library, a canteen with a kitchen, and toilets on each floor."
+    rooms = {room.name: room for room in read_brief(brief, default_knowledge()).rooms}
+    assert not rooms["kitchen"].floors
+    assert rooms["toilet"].each

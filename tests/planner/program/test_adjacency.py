@@ -147,3 +147,10 @@ def test_showers_are_with_the_changing_rooms_that_they_belong_to() -> None:
     showers, changing = ([p for p in rooms if p.room.kind.name == kind] for kind in ("shower_area", "changing_room"))
     assert len(showers) == 2
     assert any(touching(a, b) for a in showers for b in changing)
+
+
+def test_nobody_passes_through_a_changing_room_to_a_cell() -> None:
+    of = parents("a police station with four holding cells, locker rooms, two offices and a briefing room")
+    cells = [outer for inner, outer in of.items() if inner.startswith("holding_cell")]
+    assert cells
+    assert not any(outer.startswith("locker_room") for outer in cells)

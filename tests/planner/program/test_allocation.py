@@ -78,3 +78,22 @@ def test_a_kitchen_follows_a_restaurant_that_the_brief_puts_upstairs() -> None:
 )
 def test_what_guests_goods_and_weights_come_to_lies_on_the_ground(brief: str, kind: str) -> None:
     assert storeys_of(brief, kind) == {1}
+
+
+@pytest.mark.parametrize(
+    "brief",
+    [
+        "A school of three storeys with boys' and girls' toilets.",
+        "A gym of two storeys with changing rooms for men and women.",
+    ],
+)
+def test_rooms_for_both_sexes_lie_on_one_storey(brief: str) -> None:
+    floors = plan_building(BuildRequest(description=brief)).program.floors
+    users = {"boy", "girl", "man", "woman"}
+    assert [len({room.id.split("_")[0] for room in floor.rooms} & users) for floor in floors if floor.index == 1] == [2]
+
+
+def test_the_pupils_of_a_school_are_no_men_and_women() -> None:
+    program = plan_building(BuildRequest(description="A school of two storeys with toilets on each floor")).program
+    names = {room.name for floor in program.floors for room in floor.rooms if room.room_type == "restroom"}
+    assert names == {"boys' toilets", "girls' toilets"}

@@ -15,7 +15,7 @@ from mansion_planner.program.blocks import DOOR, Block
 from mansion_planner.program.building import PlannedBuilding, plan_program
 from mansion_planner.program.home_orders import best_sketch, home_orders
 from mansion_planner.program.model import Massing, Placement, Sketch, short_edges, touching
-from mansion_planner.program.plan_quality import shallow_garages
+from mansion_planner.program.plan_quality import aspect, shallow_garages
 from mansion_planner.program.planned_rooms import planned_room
 
 MASSING = Massing(length=12.0, north=4.0, corridor=1.0, south=4.0, cores=())
@@ -250,3 +250,15 @@ def test_a_living_and_dining_room_leaves_no_other_place_to_live_and_dine() -> No
     program = plan_building(BuildRequest(description=text)).program
     kinds = [room.room_type for room in program.floors[0].rooms]
     assert kinds.count("living_room") == 1 and "dining_room" not in kinds
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A two-bedroom flat of 75 square metres with a kitchen, living room, bathroom and a storage room.",
+        "A two-bedroom flat of 80 m2 with an open kitchen and a balcony.",
+    ],
+)
+def test_the_living_room_that_the_others_line_is_no_strip(text: str) -> None:
+    (sketch,) = sketched(text, 0).sketches.values()
+    assert aspect(sketch.corridors[0].boxes) < 2.2

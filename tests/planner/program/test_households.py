@@ -7,10 +7,14 @@ from pathlib import Path
 import pytest
 
 from mansion_bringup.building.receipt import receipt_of_plan
+from mansion_geometry.randomness import item_generator
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
+from mansion_planner.brief import read_brief
 from mansion_planner.plan import plan_building
+from mansion_planner.program.building import plan_program
+from mansion_planner.program.plan_quality import dark_rooms
 
 CASES = json.loads(Path(__file__).with_name("households.json").read_text())
 
@@ -74,3 +78,22 @@ def test_flats_that_nobody_counted_hold_what_every_flat_is_to_hold() -> None:
     flats = sum(room.room_type in ("apartment", "small_apartment", "studio_apartment") for room in floor.rooms)
     assert flats > 0
     assert counted(reply, 2)["bedrooms"] == 3 * flats
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A three-storey block with two flats per floor; each has two bedrooms, a bathroom, a kitchen and a balcony.",
+        "A block of flats with four two-room flats on each of two floors, each with a balcony, bathroom and kitchen.",
+    ],
+)
+def test_balconies_and_bedrooms_of_flats_lie_at_the_outer_wall(text: str) -> None:
+    knowledge, request = default_knowledge(), BuildRequest(description=text)
+    building = plan_program(request, read_brief(text, knowledge), knowledge, "b", item_generator(0, "program"))
+    for sketch in building.sketches.values():
+        dark = {placement.room.kind.name for placement in dark_rooms(sketch, building.massing)}
+        outdoor = [placement for placement in sketch.rooms if placement.room.kind.name == "balcony_room"]
+        assert "bedroom" not in dark
+        assert outdoor
+        assert all(min(box[1] for box in p.boxes) < 0.01 or
+                   max(box[3] for box in p.boxes) > building.massing.depth - 0.01 for p in outdoor)  # fmt: skip

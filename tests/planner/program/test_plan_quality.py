@@ -10,7 +10,7 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief import read_brief
 from mansion_planner.program.building import PlannedBuilding, plan_program
 from mansion_planner.program.model import Box, Corridor, Placement, Sketch, Storey, box_area
-from mansion_planner.program.plan_quality import home_faults, swollen_rooms
+from mansion_planner.program.plan_quality import home_faults, is_shallow_bay, swollen_rooms
 from mansion_planner.program.planned_rooms import planned_room
 
 
@@ -114,3 +114,15 @@ def test_a_long_living_room_that_other_rooms_line_is_a_fault() -> None:
         return home_faults([(living, Sketch([Corridor("living_room", [hub], "")], [], {}), 80.0)])
 
     assert lined((0.0, 0.0, 16.0, 2.3)) > lined((0.0, 0.0, 9.0, 3.5)) > lined((0.0, 0.0, 6.0, 4.0)) == 0.0
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A fire station with an apparatus bay for three engines, gear room, dormitory, kitchen, gym and an office.",
+        "A two-storey fire station with a bay for two engines, a gear room, and upstairs a dormitory and kitchen.",
+    ],
+)
+def test_engines_stand_behind_their_doors(text: str) -> None:
+    building = planned(text)
+    assert not is_shallow_bay(building.storeys[0], building.sketches[1])

@@ -235,3 +235,23 @@ def test_no_group_of_seats_fills_a_passage() -> None:
     placements = place_room(lobby(14.0, 2.4, 3), seed=0).placements
     sofas = [p for p in placements if p.name == "sofa"]
     assert all(min(p.center[1], 2.4 - p.center[1]) < 0.6 for p in sofas)  # along a wall, if at all
+
+
+@pytest.mark.parametrize("category", ["library_stack", "gondola_shelf"])
+def test_people_walk_between_rows_of_shelves(category: str) -> None:
+    shelf = PlacementObject(
+        name=category, category=category, size=(2.0, 0.55, 2.1), quantity=24, global_="middle",
+        structure=MatrixStructure(rows=6, cols=4),
+    )  # fmt: skip
+    room = PlacementRoom(
+        room_id="stacks",
+        room_type="book_stacks",
+        polygon=[(0, 0), (9, 0), (9, 6), (0, 6)],
+        doors=[PlacementOpening(segment=((0, 1), (0, 2)))],
+        objects=[shelf],
+    )
+    shelves = place_room(room, seed=0).placements
+    assert len(shelves) >= 8
+    along = np.radians(shelves[0].rotation)
+    rows = sorted({round(-s.center[0] * np.sin(along) + s.center[1] * np.cos(along), 3) for s in shelves})
+    assert len(rows) == 1 or np.diff(rows).min() > 0.55 + 0.74

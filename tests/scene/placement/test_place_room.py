@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
-from mansion_msgs_py.placement import PlacementObject, PlacementResult, PlacementRoom
+from mansion_msgs_py.placement import PlacementObject, PlacementOpening, PlacementResult, PlacementRoom
 from mansion_scene.placement import PlacementOptions, place_room
 from mansion_scene.placement.evaluation import Footprint, measure
 from placement_rooms import classroom, item, rectangle, restaurant, room, ward
@@ -202,3 +202,19 @@ def test_circular_relations_are_placed_all_the_same() -> None:
     result = place_room(asked, seed=0)
     assert_sound(asked, result)
     assert measure(asked, result).relations_held == 2
+
+
+def test_a_reception_desk_faces_who_comes_from_outside_rather_than_the_wider_way_to_the_hall() -> None:
+    desk = PlacementObject(name="reception_desk", category="reception_desk", size=(2.4, 0.9, 1.1), global_="middle")
+    room = PlacementRoom(
+        room_id="reception",
+        room_type="reception",
+        polygon=[(0, 0), (5, 0), (5, 5), (0, 5)],
+        doors=[
+            PlacementOpening(segment=((1.5, 0), (3.3, 0)), is_outer=True),
+            PlacementOpening(segment=((0.5, 5), (4.5, 5)), is_open=True),
+        ],
+        objects=[desk],
+    )
+    (placed,) = place_room(room, seed=0).placements
+    assert placed.rotation == pytest.approx(180.0)

@@ -70,7 +70,7 @@ class Equipment:
 def equipment_of(scene: FloorScene, room: SceneRoom, objects: Iterable[SceneObject]) -> Equipment:
     """Return the equipment of a finished room from its objects and from what was left out of it."""
     beside = [other.room_type for other in scene.rooms if other.id != room.id]
-    kind = furnished_as(room.room_type, scene.building_type, room.name, beside)
+    kind = furnished_as(room.room_type, scene.building_type, room.name, beside, scene.called or "")
     return Equipment(
         needs_of(kind, (room.name, *room.aliases)),
         [(thing.category, thing.size[0]) for thing in objects],

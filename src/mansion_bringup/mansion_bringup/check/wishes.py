@@ -332,7 +332,7 @@ def _idle(finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) ->
         ]
         scene = finished.on(floor)
         beside = [other.room_type for other in scene.rooms if other.id != room.id]
-        kind = furnished_as(room.room_type, scene.building_type, room.name, beside)
+        kind = furnished_as(room.room_type, scene.building_type, room.name, beside, scene.called or "")
         for need in needs_of(kind, (room.name, *room.aliases)):
             if all(any(answers(kind, thing.categories[0]) for kind in refused) for thing in need.things):
                 continue

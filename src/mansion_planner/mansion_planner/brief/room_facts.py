@@ -145,6 +145,7 @@ class RoomStatements:
     def _room_facts(self, number: int, phrase: Phrase, place: Attachment) -> list[RoomFact]:
         """Return a phrase's rooms: one fact, or one for each of several areas."""
         span = self._span(phrase)
+        place = place if place.refs else self._place_behind_bath(number, phrase)
         children = [
             self.phrases[n]
             for n, owner in self.suites.owners.items()
@@ -187,6 +188,12 @@ class RoomStatements:
             alike = [(area, sum(1 for _ in group)) for area, group in itertools.groupby(phrase.areas)]
             return [replace(fact, count=count, area=area) for area, count in alike]
         return [fact]
+
+    def _place_behind_bath(self, number: int, phrase: Phrase) -> Attachment:
+        """Return the storeys that stand behind a bathroom right behind its room: "rooms en suite on each floor"."""
+        behind = (n for n, owner in self.suites.owners.items() if owner == number)
+        places = (self.attached.get(n) for n in behind if self.phrases[n].first == phrase.last)
+        return next((place for place in places if place is not None), Attachment())
 
     def _span(self, phrase: Phrase) -> Span:
         """Return the words of a phrase, its article left out."""

@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
 
-from mansion_language import singular
+from mansion_language import plural, singular
 from mansion_planner.brief.lexicon import lexicon_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
@@ -30,6 +30,14 @@ _BESIDE_SEXES = frozenset({"family", "child", "kid", "adult", "baby", "swimmer",
 _PARTED = frozenset({"separated", "separate", "separately", "split", "divided", "each", "apart"})
 """Words between rooms and those who have one each."""
 _PERSONS = frozenset("people person user visitor guest one".split())
+
+
+def _possessive(who: str) -> str:
+    """Return whose a room is that many use: "women's", "boys'", "staff"."""
+    if who in ("staff", "accessible", "family"):
+        return who
+    users = plural(who)
+    return f"{users}'" if users.endswith("s") else f"{users}'s"
 
 
 def one_of(phrase: Phrase, first: int, last: int) -> Phrase:
@@ -108,7 +116,7 @@ def _for_one(reading: Reading, phrase: Phrase, user: int, *, last: bool) -> Phra
         return replace(room, room_type="accessible_toilet", name="accessible_toilet", label=f"accessible {noun}")
     who = _SEXES.get(who, who)
     name = "_".join((who, *words))
-    return replace(room, name=name[:60], label=f"{who}'s {noun}", room_type=kind, known=True)
+    return replace(room, name=name[:60], label=f"{_possessive(who)} {noun}", room_type=kind, known=True)
 
 
 def with_users(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
@@ -258,13 +266,13 @@ def _of_user(reading: Reading, phrase: Phrase, user: int) -> Phrase:
     if _is_accessible(reading, phrase, user):
         return replace(room, room_type="accessible_toilet", name="accessible_toilet", label=f"accessible {noun}")
     who = _SEXES.get(who, who)
-    return replace(room, name=f"{who}_{phrase.name}"[:60], label=f"{who}'s {noun}")
+    return replace(room, name=f"{who}_{phrase.name}"[:60], label=f"{_possessive(who)} {noun}")
 
 
 def _of_users(reading: Reading, phrase: Phrase, user: int) -> Phrase:
     """Return a room under the name of those who use it: "changing room for women", "toilet of boys"."""
     who = _SEXES[reading.word(user)]
     reading.take(phrase.last, user + 1)
-    label = f"{who}'s {singular(phrase.label.lower())}"
+    label = f"{_possessive(who)} {singular(phrase.label.lower())}"
     named = replace(phrase, name=f"{who}_{phrase.name}"[:60], label=label, last=user + 1)
     return replace(named, count=1, plural=False) if phrase.plural else named

@@ -12,6 +12,8 @@ _SEXES = {
     "gents": "gent", "gent": "gent", "men": "man", "man": "man", "women": "woman", "woman": "woman",
     "accessible": "accessible", "disabled": "accessible",
 }  # fmt: skip
+_FITTED = frozenset({"shower", "toilet", "locker", "wc", "bench"})
+"""What rooms for men have and those for women too."""
 _ENDS = frozenset({"", ",", ".", ";", "\n", ")", "("})
 _EITHER = (
     ("by", "sex"), ("by", "gender"), ("for", "either", "sex"), ("for", "both", "sex"), ("for", "each", "sex"),
@@ -23,6 +25,7 @@ _EITHER = (
 
 def rooms_by_sex(tokens: list[Token]) -> list[Token]:
     """Return the tokens with the users of such rooms in full, before or behind their noun."""
+    tokens = _with_users_first(tokens)
     result: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -49,6 +52,23 @@ def rooms_by_sex(tokens: list[Token]) -> list[Token]:
         else:
             result.append(token)
             index += 1
+    return result
+
+
+def _with_users_first(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with "changing rooms with showers for men and women" for both, each with its own."""
+    result = list(tokens)
+    for index in range(1, len(tokens) - 4):
+        joined = tokens[index].text in ("with", "and", "&") and tokens[index - 1].plural
+        if not joined or _text(tokens, index - 2) not in _ROOMS:
+            continue
+        led = index + 2
+        users = [_text(tokens, led + 1), _text(tokens, led + 3)]
+        both = _text(tokens, led + 2) in ("and", "&") and all(user in _SEXES for user in users)
+        if _text(tokens, index + 1) in _FITTED and _text(tokens, led) == "for" and both:
+            at = tokens[index].start
+            each = [Token("mark", ",", at, at), Token("word", "each", at, at)]
+            result[index : led + 4] = [*tokens[led : led + 4], *each, *tokens[index:led]]
     return result
 
 

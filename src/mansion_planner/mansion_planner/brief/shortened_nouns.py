@@ -66,7 +66,7 @@ def shortened_nouns(tokens: list[Token]) -> list[Token]:
         if token.text in _BEDS and token.plural and counted and not _LODGINGS.isdisjoint(texts):
             result[-1] = replace(token, plural=False)
             result.append(Token("word", "room", token.end, token.end, plural=True))
-        elif token.text == "station" and counted and not _HAIR.isdisjoint(texts):
+        elif token.text in ("station", "chair") and counted and not _HAIR.isdisjoint(texts):
             result[-1:] = [Token("word", "styling", token.start, token.start), replace(token, text="chair")]
         elif (before, token.text) == ("open", "plan") and not _OFFICES.isdisjoint(texts):
             result.append(Token("word", "office", token.end, token.end))

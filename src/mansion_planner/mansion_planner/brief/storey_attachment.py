@@ -41,6 +41,9 @@ _JOINTS = frozenset(
 
 _AND = frozenset({"and", "&", "+"})
 
+_UP_AND_DOWN = {"upstairs": "up", "upstair": "up", "downstairs": "down", "downstair": "down"}
+"""Adverbs that end a list of the rooms of a storey."""
+
 
 _PLACED = frozenset({"shown", "housed", "displayed", "located", "situated", "placed", "kept", "is", "are"})
 """What is said of a room before its storey: "temporary exhibitions are shown upstairs, where ..."."""
@@ -405,6 +408,8 @@ class _Walk:
         if not opened and not titled:
             below = place.refs[0].kind in ("basement", "every") or self.reading.word(place.last) == ","
             return left[-1:] if self._asyndetic(left) and (below or not place.led) else left
+        if self._is_contrasted(place):
+            return left
         if len(left) > 1 and self._is_bracketed(left[-1]):
             return [left[-1], *self._claimed(place, left[:-1], opened=opened)]
         chosen = [left[-1]]
@@ -423,6 +428,8 @@ class _Walk:
                 chosen.append(number)  # "a boot room with lockers and a drying room on the ground floor"
                 continue
             if not all(word in _JOINTS for word in between) or not joined or (opened and "," in between):
+                if between[:1] == ("with",) and len(chosen) > 1 and self._is_set_off(*chosen[:-3:-1]):
+                    chosen.pop()  # "a cafeteria with a kitchen, and toilets on each floor"
                 break
             if not place.led and "," in between:
                 return chosen[:1]  # "a reception, a waiting room and a staff room upstairs"
@@ -430,6 +437,25 @@ class _Walk:
                 break
             chosen.append(number)
         return chosen
+
+    def _is_contrasted(self, place: Place) -> bool:
+        """Whether a list ends upstairs and another one of its sentence downstairs, so that each has all of its list.
+
+        "A house with a kitchen, a study and a WC downstairs, three bedrooms and a bathroom upstairs."
+        """
+        ends = [
+            other
+            for other in self.places
+            if self.reading.sentence[other.first] == self.reading.sentence[place.first]
+            and other.last - other.first == 1
+            and self.reading.word(other.first) in _UP_AND_DOWN
+        ]
+        told = {_UP_AND_DOWN[self.reading.word(other.first)] for other in ends}
+        return place in ends and len(ends) == len(told) == 2 and self._closes(ends[1])
+
+    def _is_set_off(self, first: int, second: int) -> bool:
+        """Whether a comma stands between two phrases."""
+        return "," in self.reading.words(self.phrases[first].last, self.phrases[second].first)
 
     def _is_bracketed(self, number: int) -> bool:
         """Whether a phrase stands in a bracket behind another one: "the living room (with a fireplace)"."""

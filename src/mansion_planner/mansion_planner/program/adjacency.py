@@ -60,6 +60,9 @@ def _moves(sketch: Sketch, fact: AdjacencyFact) -> Iterator[tuple[Placement, Pla
 _RULES = ("service_door", "secure_door")
 """Rules that say which rooms have no door to which public ones."""
 
+_UNDRESSED_IN = frozenset({"changing_room", "shower_area"})
+"""Rooms that nobody else passes through."""
+
 _MOST_BEHIND = 5
 """Rooms that one room leads to at most."""
 
@@ -91,7 +94,7 @@ def behind_staff_rooms(rooms: Sequence[PlannedRoom], storey: Storey, named: Iter
 
 def _leads_to(host: PlannedRoom, kind: RoomType, barred: set[str]) -> bool:
     """Whether a room may lead to another: one of the staff's, that is no toilet and not itself kept from the hub."""
-    staff = host.kind.zone == "service" and not host.kind.toilet and not host.fixed
+    staff = host.kind.zone == "service" and not (host.kind.toilet or host.fixed or host.kind.name in _UNDRESSED_IN)
     return (
         staff and host.kind.name not in barred and len(host.suite) < _MOST_BEHIND and (host.kind.food or not kind.food)
     )

@@ -244,6 +244,7 @@ def _told_elsewhere(floor: int, decisions: Decisions, knowledge: KnowledgeBase) 
 _SAME_USE = (
     frozenset({"treatment_room", "dental_room", "consultation_room"}),
     frozenset({"cinema_hall", "auditorium"}),
+    frozenset({"tv_studio", "recording_studio", "photo_studio"}),
     frozenset({"toilet", "restroom"}),
     frozenset({"classroom", "training_room"}),
     frozenset({"teachers_room", "break_room"}),

@@ -42,6 +42,7 @@ from mansion_planner.program.plan_quality import (
     crosswise,
     dark_rooms,
     home_faults,
+    is_shallow_bay,
     long_halls,
     shallow_garages,
     shrunk_rooms,
@@ -150,7 +151,8 @@ def _ill_shaped(layout: Arrangement, *, home: bool) -> tuple[int, float]:
     if home:
         above = [storey for storey in layout.storeys if storey.copy is None and storey.index >= 1]
         ill += home_faults([(s, layout.sketches[s.index], layout.envelopes[s.index].area) for s in above])
-    return sum(len(shallow_garages(sketch)) for sketch in own), ill
+    bays = sum(is_shallow_bay(s, layout.sketches[s.index]) for s in layout.storeys if s.copy is None)
+    return sum(len(shallow_garages(sketch)) for sketch in own) + bays, ill
 
 
 _LONG_HALL = 2.4

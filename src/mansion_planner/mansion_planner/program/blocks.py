@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from mansion_knowledge import RoomType
+from mansion_knowledge import RoomType, is_class
 from mansion_knowledge.norms import Norm, load_norms
 from mansion_planner.program.model import Box, PlannedRoom
 from mansion_planner.program.plan_quality import STRIP
@@ -407,10 +407,11 @@ _NARROWEST_BATH, _DEEPEST_BATH = 1.7, 0.5
 
 
 def _lay_columns(host: PlannedRoom, width: float, depth: float, scale: float) -> list[tuple[PlannedRoom, list[Box]]]:
-    """The host as a slab of full depth between two columns of its children."""
-    children = sorted(host.suite, key=lambda room: -room.gross)
+    """The host as a slab of full depth between two columns of its children, a balcony in its outer corner."""
+    balcony = next((room for room in host.suite if is_class(room.kind.name, "outdoor")), None)
+    children = sorted((room for room in host.suite if room is not balcony), key=lambda room: -room.gross)
     columns: tuple[list[PlannedRoom], list[PlannedRoom]] = ([], [])
-    if len(children) <= 3:
+    if len(host.suite) <= 3:
         columns[1].extend(children)
     else:
         for child in children:
@@ -420,17 +421,45 @@ def _lay_columns(host: PlannedRoom, width: float, depth: float, scale: float) ->
     wide = [sum(room.gross for room in column) * scale / depth for column in columns]
     least = [max(map(_least_across, column), default=0.0) for column in columns]
     wide = widened([*wide, width - sum(wide)], [*least, _least_across(host)])[:2]
-    placed.append((host, [(wide[0], 0.0, width - wide[1], depth)]))
+    slab = (wide[0], 0.0, width - wide[1], depth)
+    placed += [(host, [slab])] if balcony is None else _with_loggia(host, slab, balcony, balcony.gross * scale)
     for number, column in enumerate(columns):
         x0, x1 = (0.0, wide[0]) if number == 0 else (width - wide[1], width)
         y = 0.0
-        ordered = sorted(column, key=lambda room: (not room.kind.wet, room.id))
+        ordered = sorted(column, key=_inner_first)
         whole = sum(child.gross for child in ordered) or 1.0
         rises = widened([depth * child.gross / whole for child in ordered], [_least_across(room) for room in ordered])
         for child, high in zip(ordered, rises):
             placed.append((child, [(x0, y, x1, y + high)]))
             y += high
     return placed
+
+
+_BESIDE_LOGGIA = 2.2
+"""Least outer wall that a balcony leaves to the room in whose corner it lies, metres."""
+
+_LOGGIA = (1.6, 2.4)
+"""Least and greatest depth of such a balcony, metres."""
+
+
+def _inner_first(room: PlannedRoom) -> tuple[int, str]:
+    """Return where a room of a column comes: what wants no window lies inside, what must have one at the outer wall."""
+    if is_class(room.kind.name, "outdoor"):
+        return 3, room.id
+    if not room.kind.wet:
+        return (2 if room.kind.daylight else 1), room.id
+    return int(room.kind.daylight), room.id
+
+
+def _with_loggia(
+    host: PlannedRoom, slab: Box, balcony: PlannedRoom, area: float
+) -> list[tuple[PlannedRoom, list[Box]]]:
+    """Return a slab from the corridor to the outer wall with a balcony in its outer corner."""
+    x0, y0, x1, y1 = slab
+    deep = min(max((area / 1.8) ** 0.5, _LOGGIA[0]), _LOGGIA[1])
+    wide = max(min(area / deep, x1 - x0 - _BESIDE_LOGGIA), LEAST_FRONT)
+    corner = (x0, y1 - deep, x0 + wide, y1)
+    return [(host, [(x0, y0, x1, y1 - deep), (x0 + wide, y1 - deep, x1, y1)]), (balcony, [corner])]
 
 
 def _least_across(room: PlannedRoom) -> float:

@@ -20,7 +20,7 @@ HOME_PAIRS: tuple[Pair, ...] = (
     *itertools.product(("laundry_room", "utility_room"), _KITCHENS),
     ("dining_room", "living_room"),
     *((kitchen, "living_room") for kitchen in _KITCHENS),
-    ("open_kitchen", "dining_room"),
+    *((kitchen, "dining_room") for kitchen in _KITCHENS),
 )
 """Rooms that are side by side in a home, the least wanted first."""
 
@@ -114,10 +114,21 @@ def home_price(sketch: Sketch, pairs: Sequence[Pair], apart: Sequence[Pair]) -> 
     """
     wrong = len(short_edges(sketch)) + len(joined_pairs(sketch, apart))
     hall = sum(corridor.area for corridor in sketch.corridors)
-    missed = sum(_are_apart(sketch, pair) * (1.0 if pair in HOME_PAIRS else _ASKED) for pair in pairs)
+    dining = any(placement.room.called("dining_room") for placement in sketch.rooms)
+    missed = sum(_are_apart(sketch, pair) * _weight(pair, dining=dining) for pair in pairs)
     odd = len(strips(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch)) + len(shallow_garages(sketch))
     return wrong, missed + odd, hall + _RAGGED * len(ragged(sketch))
 
+
+def _weight(pair: Pair, *, dining: bool) -> float:
+    """Return what a pair counts for: with a dining room, meals are not carried to the living room."""
+    if pair not in HOME_PAIRS:
+        return _ASKED
+    return _LESS if dining and pair[0] in _KITCHENS and pair[1] == "living_room" else 1.0
+
+
+_LESS = 0.5
+"""What a kitchen counts for that is away from the living room, where it is beside the dining room."""
 
 _ASKED = 3.0
 """What a pair that the brief asks for counts beside one that any home has."""

@@ -14,6 +14,7 @@ __all__ = [
     "dark_rooms",
     "fill",
     "home_faults",
+    "is_shallow_bay",
     "long_halls",
     "ragged",
     "shallow_garages",
@@ -141,6 +142,18 @@ def _holds_cars(garage: Placement, bounds: Sequence[float]) -> bool:
     return any(front >= least - 0.01 and depth >= length - 0.01 for front, depth in ways_in)
 
 
+_ENGINE = 7.4
+"""Depth of a bay for a fire engine behind its door, with the way around it, metres."""
+
+
+def is_shallow_bay(storey: Storey, sketch: Sketch) -> bool:
+    """Whether the hall that engines drive out of is too shallow for one to stand behind its door."""
+    if storey.hub.name not in ("apparatus_bay", "ambulance_bay") or not sketch.corridors:
+        return False
+    largest = max(sketch.corridors[0].boxes, key=box_area)
+    return min(largest[2] - largest[0], largest[3] - largest[1]) < _ENGINE
+
+
 _SHRUNK = 0.9
 """Share of its planned area below which a room that the brief asks for counts as too small."""
 
@@ -189,6 +202,7 @@ def _lies_outside(box: Box, massing: Massing) -> bool:
 
 _KITCHENS = ("kitchen", "open_kitchen", "kitchen_diner")
 _GROUP = ("living_room", "dining_room", "open_kitchen", "kitchen_diner", "lounge", "studio_room")
+_BATHS = ("bathroom", "ensuite_bathroom")
 _UTILITY = ("utility_room", "laundry_room", "pantry")
 
 _MOST_HALL = 0.15
@@ -199,6 +213,9 @@ _SLENDER = 2.2
 
 _HALL_PRICE, _KITCHEN_PRICE, _UTILITY_PRICE, _SLENDER_PRICE = 1.0, 1.5, 0.75, 0.4
 """What each fault counts for, beside a strip or a room of a wrong size, which counts 1."""
+
+_LONG, _LONG_PRICE = 2.0, 1.5
+"""Long side to short side from which a living room that others line is long, and what each time more counts for."""
 
 _EACH_SHARE = 8.0
 """What the share of the halls beyond the most adds to its price."""
@@ -232,11 +249,12 @@ def _storey_faults(storey: Storey, sketch: Sketch) -> float:
     """Return what is wrong with the places and forms of a storey's rooms."""
     placed = [placement for placement in sketch.rooms if placement.boxes]
     kitchens, group, utility = (_of(placed, kinds) for kinds in (_KITCHENS, _GROUP, _UTILITY))
-    price = _SLENDER_PRICE * sum(p.room.kind.daylight and aspect(p.boxes) > _SLENDER for p in placed)
+    slender = (p for p in placed if p.room.kind.daylight or p.room.kind.name in _BATHS)
+    price = _SLENDER_PRICE * sum(aspect(p.boxes) > _SLENDER for p in slender)
     if storey.hub.daylight and sketch.corridors:
         # The room that the others line is not among the placed rooms, so whether it is a strip is checked here.
         form = aspect(sketch.corridors[0].boxes)
-        price += _SLENDER_PRICE * (form > _SLENDER) + (form > STRIP)
+        price += _LONG_PRICE * max(form - _LONG, 0.0)
     if kitchens and group and storey.hub.name not in _GROUP:
         price += _KITCHEN_PRICE * (not _are_beside(kitchens, group))
     if kitchens and utility:

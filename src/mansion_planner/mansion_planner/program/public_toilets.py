@@ -33,6 +33,8 @@ _OF_CHILDREN = 3.0
 _CHILDRENS = frozenset({"kindergarten_classroom", "nursery_room"})
 """Rooms of children who go to washrooms of their own."""
 
+_OF_PUPILS = {"mens_restroom": "boys' toilets", "womens_restroom": "girls' toilets"}
+
 _OF_GUESTS = frozenset({"restaurant", "ballroom", "conference_hall"})
 """Rooms of a hotel that many people visit who do not sleep there."""
 
@@ -116,7 +118,8 @@ def with_public_toilets(
             place = kept.index(own[0]) if own else len(kept)
             rest = [room for room in kept if room not in own]
             asked = [room for room in own if room.stated]
-            return [*rest[:place], *(_serving(room, asked) for room in fitting), *rest[place:]]
+            called = [_called(room, storey) for room in fitting]
+            return [*rest[:place], *(_serving(room, asked) for room in called), *rest[place:]]
     return kept
 
 
@@ -129,12 +132,18 @@ def _is_settled(storey: Storey, rooms: Sequence[PlannedRoom], allocation: Alloca
     return any(fact.area or (fact.count or 0) > int(children) for fact in facts)
 
 
+def _called(toilet: PlannedRoom, storey: Storey) -> PlannedRoom:
+    """Return a toilet under the name of those who use it where these are no men and women: the pupils of a school."""
+    label = _OF_PUPILS.get(toilet.base, "") if storey.use.name == "school" else ""
+    return msgspec.structs.replace(toilet, label=label) if label else toilet
+
+
 def _serving(toilet: PlannedRoom, asked: Sequence[PlannedRoom]) -> PlannedRoom:
     """Return a toilet that is also one of those that the brief asks for, without saying how many or how large."""
     if not asked:
         return toilet
     names = dict.fromkeys(name for room in asked for name in (room.base, room.kind.name) if name != toilet.kind.name)
-    label = toilet.base.replace("mens_", "men's ").replace("_", " ")
+    label = toilet.label or toilet.base.replace("mens_", "men's ").replace("_", " ")
     return msgspec.structs.replace(toilet, stated=True, label=label, serves_as=(*toilet.serves_as, *names))
 
 

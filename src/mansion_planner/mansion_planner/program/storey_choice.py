@@ -41,6 +41,9 @@ def floors_for(
         return found, f" on storey {', '.join(str(floor) for floor in chosen)}"
     if fact.each:
         return [floor for floor in above for _ in range(count)], " on every storey"
+    paired = _with_counterpart(fact, wanted)
+    if paired:
+        return [paired[0]] * count, ""
     if is_free_bathroom(fact, decisions):
         return _by_bedrooms(count, _preferred(fact, knowledge, decisions, storeys, wanted), wanted, knowledge), ""
     beside = _beside(fact, decisions, wanted)
@@ -48,6 +51,18 @@ def floors_for(
         partners = _with_partners(fact, knowledge, storeys, wanted)
         beside = partners or _preferred(fact, knowledge, decisions, storeys, wanted)
     return _emptiest(fact, count, beside, wanted, knowledge, decisions), ""
+
+
+_SEXES = frozenset({"man", "woman", "boy", "girl", "lady", "gent", "gentleman", "male", "female"})
+
+
+def _with_counterpart(fact: RoomFact, wanted: Mapping[int, Sequence[RoomFact]]) -> list[int]:
+    """Return the storeys of the same room for the other sex: changing rooms for men and for women lie together."""
+    user, _, room = fact.name.partition("_")
+    if user not in _SEXES or fact.name in {other.name for facts in wanted.values() for other in facts}:
+        return []
+    others = {f"{sex}_{room}" for sex in _SEXES - {user}}
+    return [floor for floor, facts in sorted(wanted.items()) if any(other.name in others for other in facts)]
 
 
 def _named_with_others(fact: RoomFact, decisions: Decisions) -> bool:
@@ -152,7 +167,9 @@ def _beside(fact: RoomFact, decisions: Decisions, wanted: Mapping[int, Sequence[
     return [floor for floor, facts in sorted(wanted.items()) if any(other.name in names for other in facts)]
 
 
-_FOLLOWERS = frozenset({"bar", "sound_control_room", "dressing_room", "judges_chamber", "walk_in_closet"})
+_FOLLOWERS = frozenset(
+    {"bar", "control_room", "sound_control_room", "dressing_room", "judges_chamber", "walk_in_closet"}
+)
 """Rooms that no one serves in, and that belong to others as those of service do."""
 
 

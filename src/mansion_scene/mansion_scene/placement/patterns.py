@@ -37,6 +37,9 @@ _BETWEEN_BEDS = 0.5
 _FORKLIFT_AISLES = (3.0, 2.6, 2.2, 1.8)
 """Widths of the aisles between pallet racks that are tried, metres: a reach truck turns in 2.7 m."""
 
+_ALONG_SHELVES = 0.75
+"""Least width of an aisle between shelves that nobody asks for a number of, metres."""
+
 _FLUE = 0.1
 """Gap between the backs of a double row, metres."""
 
@@ -325,6 +328,8 @@ def _spacings(floor: Floor, spec: Spec, unit: Unit, copies: int, aisle: float) -
         return [(wide, deep) for wide in (1.4, aisle, 0.8) for deep in (0.6, _LEGS, 0.4)] + [(floor.gap, _LEGS)]
     if _is_audience(spec, unit) and not spec.first:
         return [(floor.gap, 1.25 * aisle), (floor.gap, aisle), (floor.gap, 0.75), (floor.gap, 0.6), (floor.gap, _LEGS)]
+    if spec.role.walked_along and not spec.first:
+        return [(floor.gap, 1.25 * aisle), (floor.gap, aisle), (floor.gap, max(0.75 * aisle, _ALONG_SHELVES))]
     if len(unit.parts) == 1 and not spec.role.table:
         beside = 0.5 if spec.role.exercise else floor.gap
         return [

@@ -51,6 +51,9 @@ _DRIVEN_BETWEEN = frozenset({"pallet_rack"})
 _BACK_TO_BACK = frozenset({"pallet_rack", "metal_shelf", "shelving_unit", "archive_shelf"})
 """What is reached from its front alone, and stands in double rows away from walls, by category."""
 
+_WALKED_ALONG = _BACK_TO_BACK | {"library_stack", "gondola_shelf", "locker"}
+"""Shelves whose rows people walk between, by category."""
+
 _ENTERED_AT_ENDS = frozenset({"pew"})
 """Seats for several that people slide into from an aisle on either side, by category."""
 
@@ -83,6 +86,8 @@ class Role:
         Forklifts need the wider aisle before it.
     back_to_back : bool
         Rows of it stand in pairs, their backs together.
+    walked_along : bool
+        People walk between its rows.
     entered_at_ends : bool
         Rows of it leave an aisle between two.
     """
@@ -90,7 +95,7 @@ class Role:
     __slots__ = (
         *("back_to_back", "bed", "bedside", "centred", "driven_between", "entered_at_ends", "entrance", "exercise"),
         *("fitment", "focal"),
-        *("screen", "seat", "sofa", "staffed", "symmetric", "table", "vehicle"),
+        *("screen", "seat", "sofa", "staffed", "symmetric", "table", "vehicle", "walked_along"),
     )
 
     def __init__(self, words: frozenset[str], category: str = "") -> None:
@@ -98,6 +103,7 @@ class Role:
         self.staffed = category in _STAFFED
         self.driven_between = category in _DRIVEN_BETWEEN
         self.back_to_back = category in _BACK_TO_BACK
+        self.walked_along = category in _WALKED_ALONG
         self.entered_at_ends = category in _ENTERED_AT_ENDS
         self.fitment = _FITMENTS.get(category)
         self.seat = bool(words & _SEATS)

@@ -9,7 +9,7 @@ import shapely
 from shapely.geometry import LineString, Polygon
 
 from mansion_geometry.boxes import point_inside
-from mansion_geometry.compiled import Floats
+from mansion_geometry.compiled import Bools, Floats
 from mansion_geometry.free_space import FreeGrid
 from mansion_geometry.wall_sizes import DOORWAY_DEPTH, doorway_depth
 from mansion_knowledge import kin_of
@@ -67,6 +67,8 @@ class RoomModel:
         Boxes kept clear, the last column the height up to which they are not.
     door_points : (d, 2) array
         Middle of each door.
+    outer_doors : (d,) array
+        Whether each leads outside.
     angles : list of float
         Directions of the walls modulo 90 degrees: the one most walls have, and a second if nearly as many have it.
     area : float
@@ -87,6 +89,7 @@ class RoomModel:
     door_zones: Floats
     window_zones: Floats
     door_points: Floats
+    outer_doors: Bools
     angles: list[float]
     area: float
     bounds: Floats
@@ -157,6 +160,7 @@ def build_room(room: PlacementRoom, options: PlacementOptions) -> RoomModel:
         door_zones=_zones(doors, [-1.0] * len(doors), _depths(room.doors, options), edges),
         window_zones=_zones(windows, [w.sill for w in room.windows], [options.window_depth] * len(windows), edges),
         door_points=np.array([(d[:2] + d[2:]) / 2 for d in doors]).reshape(-1, 2),
+        outer_doors=np.array([door.is_outer for door in room.doors], dtype=np.bool_),
         angles=_angles(walls),
         area=float(polygon.area),
         bounds=np.array(polygon.bounds),

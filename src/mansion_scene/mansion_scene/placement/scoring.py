@@ -222,8 +222,10 @@ def _same_wall(floor: Floor, spec: Spec, poses: Floats) -> Floats:
 
 
 def _ways_in(floor: Floor) -> Floats:
-    """Return the middles of the widest doors of a room, through which visitors come, shape (n, 2)."""
+    """Return the middles of the doors through which visitors come, shape (n, 2): from outside, else the widest."""
     widths = np.array([np.hypot(*(door[2:] - door[:2])) for door in floor.room.doors])
+    if floor.room.outer_doors.any():
+        widths = np.where(floor.room.outer_doors, widths, 0.0)
     return np.asarray(floor.room.door_points[widths >= widths.max() - 0.05])
 
 
