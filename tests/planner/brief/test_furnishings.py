@@ -221,3 +221,21 @@ def test_what_is_wanted_nowhere_is_wanted_in_no_room(text: str, room: str) -> No
 def test_racks_of_a_server_room_are_server_racks() -> None:
     wanted = read_brief("A data centre with two data halls of 24 racks each", default_knowledge()).objects
     assert [entry.category for entry in wanted] == ["server_rack"]
+
+
+@pytest.mark.parametrize(
+    ("brief", "shares"),
+    [
+        (
+            "A community centre: three meeting rooms - one with a round table, one with a sofa, one with eight desks",
+            [("round_table", 1, 0), ("sofa", 1, 1), ("desk", 1, 2)],
+        ),
+        ("Two bedrooms, one with a desk and the other with a piano", [("desk", 1, 0), ("piano", 1, 1)]),
+        ("Four bedrooms, one with a desk, the other three have bunk beds", [("desk", 1, 0), ("bunk_bed", 3, 1)]),
+        ("Three classrooms, each with a piano", [("piano", 0, 0)]),
+    ],
+)
+def test_what_some_of_several_rooms_have_is_in_as_many_others(brief: str, shares: list[tuple[str, int, int]]) -> None:
+    found = read_brief(brief, default_knowledge()).objects
+    assert [(fact.category, fact.some, fact.others) for fact in found] == shares
+    assert all(fact.each != bool(fact.some) for fact in found)

@@ -45,6 +45,8 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
     rooms = _object_rooms(wish, state)
     if not rooms:
         return Verdict("not_met", f"there is no {spoken(wish.scope.room)}")
+    if wish.scope.some:
+        return _in_some(wish, rooms, planned=state.planned)
     counts: Counter[object] = Counter()
     for room in rooms:
         counts[room.full_id if wish.scope.room else room.floor] += _count(wish, room)
@@ -63,6 +65,26 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
     if status == "met" and lost:
         status, reason = "partly", f"nothing was made of {listed([repr(word) for word in lost])}"
     return Verdict(status, reason, [room.full_id for room in having], found)
+
+
+def _in_some(wish: Wish, rooms: Sequence[JudgedRoom], *, planned: bool) -> Verdict:
+    """Judge what a number of several rooms are to have, each as many; what stands in the others is of no account."""
+    wanted = -(-(2 if wish.value.count is None else wish.value.count) // wish.scope.some)
+    enough = [room for room in rooms if _count(wish, room) >= wanted]
+    fitting = [room for room in enough if not (wish.value.exact and _of_that_noun(wish, [room]) > wanted)]
+    words = wish.value.unheeded
+    good = [room for room in fitting if all(_all_are(wish, [room], word, wanted, planned=planned) for word in words)]
+    chosen = (good or fitting or enough or [room for room in rooms if _count(wish, room)])[: wish.scope.some]
+    found = [name for room in chosen for kind, names in room.object_ids.items() if _is(kind, wish) for name in names]
+    reason = ""
+    if len(enough) < wish.scope.some:
+        reason = f"{len(enough)} of {wish.scope.some} rooms have {wanted}"
+    elif len(fitting) < wish.scope.some:
+        reason = f"more than {wanted} are there in a room"
+    elif len(good) < wish.scope.some:
+        reason = f"nothing was made of {listed([repr(word) for word in words])}"
+    status: WishStatus = "met" if not reason else "partly" if chosen else "not_met"
+    return Verdict(status, reason, [room.full_id for room in chosen], found)
 
 
 def _all_are(wish: Wish, rooms: Sequence[JudgedRoom], word: str, wanted: int, *, planned: bool) -> bool:
@@ -119,7 +141,8 @@ def _is(category: str, wish: Wish) -> bool:
 
 def _object_rooms(wish: Wish, state: JudgedBuilding) -> list[JudgedRoom]:
     if wish.scope.room:
-        return state.called(wish.scope.room, wish.scope.room_type, wish.scope.floors)
+        rooms = state.called(wish.scope.room, wish.scope.room_type, wish.scope.floors)
+        return [room for room in rooms if not state.has_own_name(room, wish.scope.room)] or rooms
     return [room for room in state.rooms if not wish.scope.floors or room.floor in wish.scope.floors]
 
 

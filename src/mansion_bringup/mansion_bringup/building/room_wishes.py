@@ -27,7 +27,7 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
         return _held(wish, state)
     rooms = state.called(value.name, value.type, floors)
     rooms = [room for room in rooms if room.full_id not in state.private] or rooms
-    rooms = [room for room in rooms if not _meant_elsewhere(wish, room, state)] or rooms
+    rooms = [room for room in rooms if not state.has_own_name(room, value.name)] or rooms
     if value.whole:
         rooms = [replace(room, area=room.area + sum(other.area for other in state.behind(room))) for room in rooms]
     ids = [room.full_id for room in rooms]
@@ -100,13 +100,6 @@ def _is_about(wish: Wish, room: JudgedRoom, state: JudgedBuilding) -> bool:
 
 
 _BOUNDS = {"most": "at most ", "least": "at least ", "": ""}
-
-
-def _meant_elsewhere(wish: Wish, room: JudgedRoom, state: JudgedBuilding) -> bool:
-    """Whether another wish calls a room by its own name: "classroom 2B" is none of "four classrooms"."""
-    stem, _, number = room.id.rpartition("_")
-    own = {room.id, stem if number.isdigit() else room.id} - {wish.value.name}
-    return any(other.kind == "room" and other.value.name in own for other in state.program.wishes)
 
 
 def _held(wish: Wish, state: JudgedBuilding) -> Verdict:

@@ -45,6 +45,8 @@ CLUTTERED, TIDY = 5.0, 1.5
 
 
 def _object(wish: Wish, finished: FinishedBuilding) -> str:
+    if wish.scope.some:
+        return _some_lack(wish, finished)
     counts = _things(wish, finished)
     wanted = 2 if wish.value.count is None else wish.value.count
     have = min(counts.values(), default=0) if wish.scope.each else sum(counts.values())
@@ -60,10 +62,25 @@ def _object(wish: Wish, finished: FinishedBuilding) -> str:
     )
 
 
+def _some_lack(wish: Wish, finished: FinishedBuilding) -> str:
+    """Say how many of several rooms have what is wanted in some of them, where these are too few."""
+    value, some = wish.value, wish.scope.some
+    wanted = math.ceil((2 if value.count is None else value.count) / some)
+    having = 0
+    for _, room in finished.wanted_in(wish):
+        things = [thing for thing in finished.things_in(room) if value.type and _called_so(thing.category, value)]
+        of_the_noun = [thing for thing in things if thing.category.split("_")[-1] == value.type.split("_")[-1]]
+        plain = [seats_of_row(thing.category, thing.size[0]) for thing in things]
+        over = value.exact and sum(seats_of_row(t.category, t.size[0]) for t in of_the_noun) > wanted
+        good = [all(has_quality(t.category, t.size, t.material, word) for word in value.unheeded) for t in things]
+        having += sum(plain) >= wanted and not over and sum(good) >= min(wanted, len(good))
+    return f"{having} of {some} rooms have {wanted}" if having < some else ""
+
+
 def _are_so(wish: Wish, finished: FinishedBuilding, word: str) -> bool:
     """Whether enough of the things of a wish are as a word says; in every place where the count is for each."""
     scope = wish.scope
-    rooms = {room.id for _, room in finished.meant(scope.room, scope.room_type, scope.floors)} if scope.room else None
+    rooms = {room.id for _, room in finished.wanted_in(wish)} if scope.room else None
     numbers: dict[str, list[bool]] = defaultdict(list)
     for scene in finished.scenes:
         for thing in scene.objects:
@@ -78,10 +95,7 @@ def _are_so(wish: Wish, finished: FinishedBuilding, word: str) -> bool:
 def _no_object(wish: Wish, finished: FinishedBuilding) -> str:
     places = [place for place, count in _things(wish, finished).items() if count]
     if not places and re.search(r"(^|_)carpets?$", wish.value.name):
-        scope = wish.scope
-        rooms = (
-            finished.meant(scope.room, scope.room_type, scope.floors) if scope.room else finished.rooms(scope.floors)
-        )
+        rooms = finished.wanted_in(wish) if wish.scope.room else finished.rooms(wish.scope.floors)
         places = [room.id for _, room in rooms if "carpet" in room.floor_material]
     return f"{places[0]} has one" if places else ""
 
@@ -100,7 +114,7 @@ def _things(wish: Wish, finished: FinishedBuilding, *, noun: str = "") -> dict[s
             if wish.value.type and _called_so(thing.category, wish.value):
                 placed[thing.room] += seats_of_row(thing.category, thing.size[0])
     if scope.room:
-        return {room.id: placed[room.id] for _, room in finished.meant(scope.room, scope.room_type, scope.floors)}
+        return {room.id: placed[room.id] for _, room in finished.wanted_in(wish)}
     return {
         f"storey {scene.floor}": sum(placed[room.id] for room in scene.rooms)
         for scene in finished.scenes

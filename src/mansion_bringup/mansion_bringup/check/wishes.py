@@ -12,7 +12,7 @@ from statistics import median_high
 from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
-from mansion_bringup.check.finished_building import FinishedBuilding, Judge, is_on, labels_of
+from mansion_bringup.check.finished_building import FinishedBuilding, Judge, is_on, labels_of, written
 from mansion_bringup.check.interior_wishes import INTERIOR_JUDGES
 from mansion_bringup.check.shapes import outline_forms, shared_wall
 from mansion_knowledge import default_knowledge, is_class
@@ -207,7 +207,7 @@ def _room(wish: Wish, finished: FinishedBuilding) -> str:
     rooms = finished.meant(value.name, value.type, floors)
     rooms = [entry for entry in rooms if entry[1].id not in finished.owned] or rooms
     names = {entry.value.name for entry in finished.ledger if entry.kind == "room"} - {value.name}
-    rooms = [entry for entry in rooms if names.isdisjoint(_written(entry[1].id))] or rooms
+    rooms = [entry for entry in rooms if names.isdisjoint(written(entry[1].id))] or rooms
     if not rooms:
         return "there is no such room where it is wanted"
     alike = [
@@ -301,12 +301,6 @@ def _idle(finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) ->
         if driven_into and not any(None in door.rooms and room.id in door.rooms for door in scene.doors):
             return f"nobody drives into {room.id}"
     return ""
-
-
-def _written(room_id: str) -> tuple[str, str]:
-    """Return the name that a room's id was made from, with and without a number at its end."""
-    name = room_id.partition("/")[2]
-    return name, re.sub(r"_\d+$", "", name)
 
 
 def _inside(wish: Wish, finished: FinishedBuilding) -> str:

@@ -12,6 +12,7 @@ from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.relation_rooms import Relation
 from mansion_planner.brief.room_seats import is_whole_building, places_for_people
+from mansion_planner.brief.some_rooms import some_rooms
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.table_seats import end_of_seats, seats_at_tables
 
@@ -133,7 +134,8 @@ def _furniture(
     """Return the wish for the furniture of a phrase in the room that owns it."""
     phrase = phrases[number]
     room = phrases[owner[0]] if owner[0] is not None else None
-    some = _rooms_having(reading, room, phrase)
+    which = some_rooms(reading, room, phrase)
+    some = which.many
     each = (owner[1] or (owner[0] in attached and attached[owner[0]].each)) and not some
     rows = _rows_of_many(reading, phrase)
     sets = _sets(reading, phrases, number)
@@ -157,6 +159,7 @@ def _furniture(
         exact=phrase.counted and _NO_MORE.isdisjoint(reading.words(phrase.first, phrase.last)),
         most=phrase.counted and reading.word(phrase.first - 1) in ("only", "just", "exactly"),
         some=some,
+        others=which.before,
         rows=rows,
     )
 
@@ -178,15 +181,6 @@ def _residents_rooms(reading: Reading, phrases: list[Phrase], number: int, same:
 
 _SENTENCES_BACK = 2
 """Sentences between rooms and what is said of those who live in them, at most."""
-
-
-def _rooms_having(reading: Reading, room: Phrase | None, phrase: Phrase) -> int:
-    """Return how many of several rooms have furniture: two in "six classrooms, two of them with a piano"; else 0."""
-    at = _some_of_them(reading, room.last, phrase.first) if room is not None and room.last <= phrase.first else 0
-    if not at:
-        return 0
-    reading.take(at, at + 1)
-    return int(reading.value(at))
 
 
 def people_served(reading: Reading, phrases: list[Phrase], number: int) -> int:
@@ -446,17 +440,6 @@ def _is_beside_room(reading: Reading, phrases: list[Phrase], before: int, number
     gap = [reading.word(at) for at in range(room.last, first.first) if at not in reading.taken]
     joined = gap[:1] in (["and"], ["&"], ["plus"]) and set(gap[1:]) <= {"row", "of", "a", "an"}
     return joined and not usually_in(phrases[number].category, room.room_type)
-
-
-def _some_of_them(reading: Reading, first: int, last: int) -> int:
-    """Return the token of "one" in "five practice rooms, one of them with a grand piano", or 0."""
-    for index in range(first, last - 2):
-        counts = reading.kind(index) == "number" and 1 <= reading.value(index) <= 100
-        if not counts or reading.words(index + 1, index + 3) not in (("of", "them"), ("of", "which")):
-            continue
-        if reading.value(index) == 1 or reading.word(index + 3) in ("with", "have", "has", "having", "get", "hold"):
-            return index if _EACH.isdisjoint(reading.words(index, last)) else 0
-    return 0
 
 
 def _listed_with(reading: Reading, phrases: list[Phrase], rooms: list[int], before: int, number: int) -> int:

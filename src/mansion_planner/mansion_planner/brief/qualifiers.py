@@ -132,7 +132,7 @@ def _loads(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:
 
 
 _LOADS = frozenset("good goods freight cargo bed stretcher car vehicle service food platform".split())
-_WIDTHS_OF_BEDS = frozenset({"double", "king", "queen"})
+_WIDTHS_OF_BEDS = frozenset({"single", "double", "king", "queen"})
 
 
 def subject_of_building(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:

@@ -79,7 +79,8 @@ def _shared_out(
         others = [entry for group in groups for entry in group if entry not in chosen] if fact.most else []
         return [*((entry, count) for entry in chosen), *((entry, 0) for entry in others)]
     if fact.some and fact.some <= len(matching):
-        return [(entry, -(-count // fact.some)) for entry in matching[: fact.some]]
+        first = fact.others if fact.others + fact.some <= len(matching) else 0
+        return [(entry, -(-count // fact.some)) for entry in matching[first : first + fact.some]]
     if fact.each or not fact.exact or count < len(matching):
         return [(entry, count if fact.each else -(-count // len(matching))) for entry in matching]
     shares = [count // len(matching) + (number < count % len(matching)) for number in range(len(matching))]
@@ -426,7 +427,7 @@ class _Ledger:
         called = wanted.room in {*names, *titles} or any(name and wanted.room.endswith(f"_{name}") for name in names)
         if called and wanted.room not in stated and not usual:
             return Scope(floors=floors, each=wanted.each)
-        return Scope(floors=floors, room=wanted.room, room_type=wanted.room_type, each=wanted.each)
+        return Scope(floors=floors, room=wanted.room, room_type=wanted.room_type, each=wanted.each, some=wanted.some)
 
 
 _BEDS: Final = {
