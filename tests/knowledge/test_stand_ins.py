@@ -13,6 +13,7 @@ def test_every_type_is_known() -> None:
     assert set(listed.rooms) <= set(known.rooms)
     assert set(listed.buildings) <= set(known.buildings)
     assert set(listed.objects) <= set(load_catalogue().categories)
+    assert set(listed.animals.rooms) <= set(known.rooms)
     assert set(listed.told["rooms"]) | set(listed.usual) | set(listed.subjects) <= set(known.rooms)
 
 

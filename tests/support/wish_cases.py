@@ -194,6 +194,8 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("crowd", wish("occupants", WishValue(name="guest", count=4000)), "not_met"),
     ("only", wish("only"), "not_met"),
     ("unread", wish("unread"), "not_understood"),
+    ("of the wood that is named", _made_of("oak"), "met"),
+    ("of another wood", _made_of("pine"), "partly"),
     ("in one of two rooms", _some("beds", "bed", 2, 1), "met"),
     ("exactly so many in one of two rooms", _some("beds", "bed", 1, 1, exact=True), "met"),
     ("in one room too few", _some("beds", "bed", 3, 1), "partly"),

@@ -239,3 +239,8 @@ def test_what_some_of_several_rooms_have_is_in_as_many_others(brief: str, shares
     found = read_brief(brief, default_knowledge()).objects
     assert [(fact.category, fact.some, fact.others) for fact in found] == shares
     assert all(fact.each != bool(fact.some) for fact in found)
+
+
+def test_what_rooms_for_men_and_for_women_have_is_in_either() -> None:
+    found = read_brief("A gym. Locker rooms for men and women with thirty lockers each", default_knowledge()).objects
+    assert [(fact.room, fact.count) for fact in found] == [("man_locker_room", 30), ("woman_locker_room", 30)]

@@ -190,13 +190,16 @@ def _is_of(surface: str, wanted: str, *, coloured: bool = True) -> bool:
     substances, colours = _substances(wanted), _colours(wanted) if coloured else set()
     if not substances:
         return not _material_words(wanted).isdisjoint(_material_words(surface))
-    same = not colours or not colours.isdisjoint(_material_words(surface))
+    woods = _material_words(wanted) & _WOODS if coloured else set()
+    said = _material_words(surface)
+    same = all(not named or not named.isdisjoint(said) for named in (colours, woods))
     return same and not substances.isdisjoint(_substances(surface))
 
 
 _COLOURS = frozenset(
     "white black grey beige blue green red yellow cream brown pink orange navy turquoise purple ivory charcoal".split()
 )
+_WOODS = frozenset("oak walnut pine maple birch bamboo cherry ash beech mahogany".split())
 _SHADES = frozenset({"dark", "light", "pale"})
 
 

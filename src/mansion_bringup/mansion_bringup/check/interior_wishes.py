@@ -34,6 +34,7 @@ SUBSTANCES = (
 COLOURS = (
     r"\b(?:white|black|grey|beige|blue|green|red|yellow|cream|brown|pink|orange|navy|turquoise|purple|ivory|charcoal)\b"
 )
+WOODS = r"\b(?:oak|walnut|pine|maple|birch|bamboo|cherry|ash|beech|mahogany)\b"
 SHADES = r"\b(?:dark|light|pale)\b"
 """Words of shades, which count where a material is wanted of no colour."""
 
@@ -159,6 +160,8 @@ def _made_of(surface: str, wanted: str) -> bool:
     if named:
         colours = re.findall(COLOURS, there) or re.findall(SHADES, there)
         coloured = not colours or any(re.search(rf"\b{colour}\b", here) for colour in colours)
+        trees = re.findall(WOODS, there)
+        coloured = coloured and (not trees or any(re.search(rf"\b{tree}\b", here) for tree in trees))
         return coloured and any(re.search(pattern, here) for pattern in named)
     return any(re.search(rf"\b{re.escape(word)}\b", here) for word in there.split())
 

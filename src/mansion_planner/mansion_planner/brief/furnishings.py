@@ -54,7 +54,8 @@ def read_furnishings(
             continue
         if number not in negated and _covers_floor(reading, phrase, phrases[owners[number][0] or 0], owners[number]):
             continue
-        for owner in _residents_rooms(reading, phrases, number, same) or [_named_owner(phrases, owners[number], same)]:
+        named = [_named_owner(phrases, owner, same) for owner in _with_twin(phrases, owners[number])]
+        for owner in _residents_rooms(reading, phrases, number, same) or named:
             placed = _placed_owner(reading, phrases, number, owner, negated)
             found.append(_furniture(reading, phrases, number, placed, attached, excluded=number in negated))
         seats = seats_at_tables(reading, phrases, number)
@@ -65,6 +66,22 @@ def read_furnishings(
             seated = replace(found[-1], words=span.words, category="chair", span=span, count=seats, exact=False)
             found.append(replace(seated, noun="seats"))
     return found
+
+
+def _with_twin(phrases: list[Phrase], owner: "_Owner") -> list["_Owner"]:
+    """Return the owner of furniture, and before it the room for others that stands with it in one plural.
+
+    In "locker rooms for men and women with thirty lockers each" the lockers are for either room.
+    """
+    room, each = owner
+    twin = room - 1 if room else None
+    if room is None or twin is None or not each:
+        return [owner]
+    one, other = phrases[twin], phrases[room]
+    alike = one.head == other.head == "room" and one.room_type == other.room_type and one.name != other.name
+    noun = one.name.partition("_")[2]
+    split = noun and noun == other.name.partition("_")[2] and other.noun_end - other.begin == 1
+    return [(twin, False), (room, False)] if alike and split else [owner]
 
 
 def _covers_floor(reading: Reading, phrase: Phrase, room: Phrase, owner: "_Owner") -> bool:

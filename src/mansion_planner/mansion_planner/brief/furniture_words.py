@@ -71,6 +71,7 @@ _MEANT = {
     "luggage": "",
     "delivery": "",
     "report": "",
+    "heating": "",
     "file": "",
     "score": "",
     "snack": "",

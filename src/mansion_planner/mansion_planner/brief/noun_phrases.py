@@ -23,12 +23,14 @@ from mansion_planner.brief.phrase import (
     finished_phrase,
     name_of,
 )
+from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.repeated_names import further_ones, room_by_its_contents, rooms_named_again
 from mansion_planner.brief.room_names import coordinated, designated_nouns, with_designators, with_purpose, with_sizes
 from mansion_planner.brief.room_users import with_users, with_users_before
 from mansion_planner.brief.rooms_of_staff import OFFICE_HOLDERS, with_rooms_of_staff
 from mansion_planner.brief.similarity import HEAD_TYPES, room_of_building, similar_room_type, told_room_type
+from mansion_planner.brief.sizes import is_size
 
 __all__ = ["noun_phrases"]
 
@@ -189,7 +191,8 @@ def _is_modifier(reading: Reading, index: int) -> bool:
         and reading.word(index + 2) not in HEAD_TYPES
     ):
         return False
-    return listed or counted or joined
+    described = is_size(before) or is_property(before, things=True)  # "six small round tables"
+    return listed or counted or joined or described
 
 
 def _is_acronym(reading: Reading, index: int) -> bool:

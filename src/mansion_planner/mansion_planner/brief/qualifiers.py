@@ -62,6 +62,7 @@ _SETTINGS = frozenset(
     mountain alpine hillside forest island family holiday vacation weekend summer winter national public private
     community communal company corporate charity volunteer state federal central county royal international university
     campus model sample demo fantasy imaginary typical traditional style styled type cum look inspired themed storey
+    research
     multifamily family-run group test pilot future small-town mixed use multi generation generational cute pretty lovely
     tower mini walk ish rise mid slim youth boy girl student staff health charming
     run owned managed occupied
@@ -205,7 +206,7 @@ def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:
     if reading.kind(index) != "word" or (reading.word(index) == "corner" and index > phrase.begin):
         return False
     if is_size(reading.word(index)):
-        return not phrase.size and not _is_measured(reading, phrase)
+        return phrase.head == "object" or (not phrase.size and not _is_measured(reading, phrase))
     if phrase.head == "building" and reading.word(index) in _ORIGINS:
         return True
     if phrase.head == "object" and _tells_kind(reading, phrase, index):

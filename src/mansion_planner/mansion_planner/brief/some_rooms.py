@@ -1,4 +1,4 @@
-"""Read for which of several rooms furniture is: "one of them with a piano", "one with a sofa, the other with a desk"."""
+"""Read for which of several rooms furniture is: "one of them with a piano", "one with a desk, the other has two"."""
 
 from dataclasses import dataclass
 

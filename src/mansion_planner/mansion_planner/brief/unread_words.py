@@ -116,7 +116,8 @@ _REQUESTS = frozenset(
 _LABELS = frozenset(
     """
     accommodation schedule programme program character idiom core capacity interior requirement note summary project
-    client circulation vertical scope object furniture furnishing pet
+    client sector retail residential commercial hospitality leisure healthcare education circulation vertical scope
+    object furniture furnishing pet
     """.split()
 )
 """What the lists and headings of a written brief are called."""
@@ -256,6 +257,8 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True
     if reading.word(index - 1) in _AFTER_LEAD.get(token.text, ()):
         return True
+    if token.text in _LOFTY and reading.word(index + 1) == "ceiling" and index + 1 in reading.taken:
+        return True  # "high ceilings of 4 m"
     level = _on_one_level(reading) or not reading.facts.floors
     if token.text == "step" and reading.word(index - 1) in ("no", "without", "any") and level:
         return True  # "everything on one level, no steps"
@@ -287,7 +290,7 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True  # "a gross floor area in the region of 3,200 m2"
     if token.text in _BENEATH and reading.word(index - 1) in ("basement", "cellar") and index - 1 in reading.taken:
         return True
-    if token.text == "building" and any(mention.building and mention.last == index for mention in reading.mentions):
+    if token.text in _BUSINESSES and any(mention.building and mention.last == index for mention in reading.mentions):
         return True  # "a bakery building"
     told = reading.facts.building or reading.facts.building_span
     said = index - 1 in reading.taken or _has_measure(reading, index)
@@ -303,6 +306,9 @@ def _has_same_plan(reading: Reading, index: int) -> bool:
     return reading.word(index - 1) == "same" and bool(reading.facts.copies)
 
 
+_LOFTY = frozenset({"high", "tall", "generous", "lofty"})
+_BUSINESSES = frozenset({"building", "practice", "premises", "business"})
+"""Nouns that add nothing to the kind of building before them: "a vet's practice"."""
 _WHOSE_PLACE = frozenset({"old", "current", "present", "previous", "last", "other", "retirement", "new", "own", "our"})
 
 

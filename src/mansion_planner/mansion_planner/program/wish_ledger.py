@@ -6,7 +6,8 @@ from typing import Final
 import msgspec
 
 from mansion_knowledge import KnowledgeBase
-from mansion_knowledge.stand_ins import answers_when_told, stands_in
+from mansion_knowledge.furnished_as import furnished_as
+from mansion_knowledge.stand_ins import answers_when_told, is_for_animals, stands_in
 from mansion_language import singular
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
@@ -174,8 +175,12 @@ _AS_NAMED = {"bedroom": ("cabin", "berth", "chamber"), "private_office": ("offic
 """Last words of names for which a room type is what they say, whoever uses the room."""
 
 
-def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase, family: str) -> str:
+def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase, decisions: Decisions) -> str:
     """Say what is planned in the place of a room of which nothing is known, or that is another thing."""
+    family = decisions.building.family
+    furnished = furnished_as(room.room_type, decisions.building.name, room.name, ())
+    if is_for_animals(room.room_type, room.name) and furnished == room.room_type:
+        return f"planned and furnished like {_spaced(room.room_type)}"
     if stands_in("rooms", room.room_type, room.name, family):
         return f"planned and furnished like {_spaced(room.room_type)}"
     if "accessible" in room.name.split("_") and "accessible" not in room.room_type:
@@ -348,7 +353,7 @@ class _Ledger:
             self.add("room", child.span, value, scope, reason=reason)
 
     def _stand_in(self, room: RoomFact) -> str:
-        return _stand_in_of(room, self.knowledge, self.decisions.building.family)
+        return _stand_in_of(room, self.knowledge, self.decisions)
 
     def _called(self, room: RoomFact) -> str:
         """Return a room's name as the brief has it, also where it is the hall that the building is there for."""
