@@ -8,7 +8,7 @@ from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
 from mansion_bringup.building.verdicts import Judge, Verdict, listed, met_if, spoken
-from mansion_knowledge.object_kinds import answers
+from mansion_knowledge.object_kinds import answers, noun_of
 from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.wishes import Wish, WishStatus
 
@@ -104,10 +104,9 @@ def _all_are(wish: Wish, rooms: Sequence[JudgedRoom], word: str, wanted: int, *,
 
 def _of_that_noun(wish: Wish, rooms: Sequence[JudgedRoom]) -> int:
     """Return how many objects are called by the wish's noun: in all rooms, or the most in one for a count of each."""
-    noun = wish.value.type.rpartition("_")[2]
+    noun = noun_of(wish.value.type)
     counts = [
-        sum(n for c, n in room.objects.items() if answers(wish.value.type, c) and c.rpartition("_")[2] == noun)
-        for room in rooms
+        sum(n for c, n in room.objects.items() if answers(wish.value.type, c) and noun_of(c) == noun) for room in rooms
     ]
     return max(counts, default=0) if wish.scope.each else sum(counts)
 

@@ -60,8 +60,19 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
             sizes = ", ".join(f"{room.area:.3g}" for room in rooms[:4])
             return Verdict("partly", f"{sizes} m2 instead of {_BOUNDS[value.limit]}{value.area:.3g} m2", ids)
-    lack = _unusable(rooms, state) or _shut_off(rooms, state)
+    lack = _unusable(rooms, state) or _shut_off(rooms, state) or _outranked(wish, rooms, state)
     return met_if(not lack, lack, partly=True, rooms=ids)
+
+
+def _outranked(wish: Wish, rooms: Sequence[JudgedRoom], state: JudgedBuilding) -> str:
+    """Say which room of the type is larger than the one that is to be the largest, or smaller than the smallest."""
+    if not wish.value.rank:
+        return ""
+    large = wish.value.rank == "largest"
+    others = [room for room in state.rooms if room.type == wish.value.type and room not in rooms]
+    sign = 1 if large else -1
+    beyond = [other for other in others if any(sign * (other.area - room.area) > _SMALLEST for room in rooms)]
+    return f"{beyond[0].full_id} is {'larger' if large else 'smaller'}: {beyond[0].area:.3g} m2" if beyond else ""
 
 
 def _shut_off(rooms: Sequence[JudgedRoom], state: JudgedBuilding) -> str:

@@ -6,7 +6,7 @@ from collections import Counter, defaultdict
 from collections.abc import Mapping
 
 from mansion_bringup.check.finished_building import FinishedBuilding, Judge, is_on
-from mansion_knowledge.object_kinds import answers, seats_of_row
+from mansion_knowledge.object_kinds import answers, noun_of, seats_of_row
 from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.wishes import Wish, WishValue
@@ -54,7 +54,7 @@ def _object(wish: Wish, finished: FinishedBuilding) -> str:
     if not (wish.value.type and counts and have >= wanted):
         return f"{have} of {wanted} are there"
     if wish.value.exact and (wish.scope.room or wish.value.limit == "most"):
-        named = _things(wish, finished, noun=wish.value.type.split("_")[-1]).values()
+        named = _things(wish, finished, noun=noun_of(wish.value.type)).values()
         there = max(named) if wish.scope.each else sum(named)
         if there > wanted:
             return f"{there} are there, more than {wanted}"
@@ -70,7 +70,7 @@ def _some_lack(wish: Wish, finished: FinishedBuilding) -> str:
     having = 0
     for _, room in finished.wanted_in(wish):
         things = [thing for thing in finished.things_in(room) if value.type and _called_so(thing.category, value)]
-        of_the_noun = [thing for thing in things if thing.category.split("_")[-1] == value.type.split("_")[-1]]
+        of_the_noun = [thing for thing in things if noun_of(thing.category) == noun_of(value.type)]
         plain = [seats_of_row(thing.category, thing.size[0]) for thing in things]
         over = value.exact and sum(seats_of_row(t.category, t.size[0]) for t in of_the_noun) > wanted
         good = [all(has_quality(t.category, t.size, t.material, word) for word in value.unheeded) for t in things]
@@ -104,13 +104,13 @@ def _no_object(wish: Wish, finished: FinishedBuilding) -> str:
 def _things(wish: Wish, finished: FinishedBuilding, *, noun: str = "") -> dict[str, int]:
     """Return how many objects of the wish's category each place has: a room where one is named, a storey elsewhere.
 
-    With a noun, those alone whose category ends in it.
+    With a noun, those alone that people count by it.
     """
     scope = wish.scope
     placed: Counter[str] = Counter()
     for scene in finished.scenes:
         for thing in scene.objects:
-            if noun and not (thing.category.split("_")[-1] == noun and answers(wish.value.type, thing.category)):
+            if noun and not (noun_of(thing.category) == noun and answers(wish.value.type, thing.category)):
                 continue
             if wish.value.type and _called_so(thing.category, wish.value):
                 placed[thing.room] += seats_of_row(thing.category, thing.size[0])

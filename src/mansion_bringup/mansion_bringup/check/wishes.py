@@ -224,7 +224,21 @@ def _room(wish: Wish, finished: FinishedBuilding) -> str:
         or _wrong_areas(wish, finished, rooms, several=len(alike) > 1)
         or _idle(finished, rooms)
         or _closed(finished, rooms)
+        or _of_another_rank(wish, finished, rooms)
     )
+
+
+def _of_another_rank(wish: Wish, finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
+    """Say that a room is not the largest or the smallest of its type, where it is to be that."""
+    meant = {room.id: room.area for _, room in rooms}
+    others = [r.area for _, r in finished.rooms() if r.room_type == wish.value.type and r.id not in meant]
+    if not others or not wish.value.rank:
+        return ""
+    if wish.value.rank == "largest":
+        within = max(others) <= min(meant.values()) + LEAST_TOLERANCE
+    else:
+        within = min(others) >= max(meant.values()) - LEAST_TOLERANCE
+    return "" if within else f"it is not the {wish.value.rank}"
 
 
 def _closed(finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) -> str:

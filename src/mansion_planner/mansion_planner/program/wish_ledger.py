@@ -17,6 +17,7 @@ from mansion_planner.brief.furniture_words import own_furniture_of
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.similarity import told_room_type
 from mansion_planner.brief.sizes import size_bound
+from mansion_planner.brief.told_by_size import rank_of
 from mansion_planner.program.allocation import MANY
 from mansion_planner.program.building_size import called_bound
 from mansion_planner.program.decisions import Decisions
@@ -338,7 +339,15 @@ class _Ledger:
         whole = room.area is not None and is_whole(room, self.knowledge)
         area, limit = self._area_of(room)
         name = self._called(room)
-        value = WishValue(name=name, type=room.room_type, count=room.count, area=area, whole=whole, limit=limit)
+        value = WishValue(
+            name=name,
+            type=room.room_type,
+            count=room.count,
+            area=area,
+            whole=whole,
+            limit=limit,
+            rank=rank_of(room.name.partition("_")[0]),
+        )
         self.add("room", room.span, value, Scope(floors=self.floors(room.floors), each=room.each), reason=reason)
         if room.unit:
             self._unit(room)
