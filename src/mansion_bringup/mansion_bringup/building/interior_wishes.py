@@ -10,6 +10,7 @@ from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
 from mansion_bringup.building.verdicts import Judge, Verdict, listed, met_if, spoken
 from mansion_knowledge.object_kinds import answers, noun_of
 from mansion_knowledge.object_qualities import has_quality
+from mansion_language import is_plural
 from mansion_msgs_py.wishes import Wish, WishStatus
 
 __all__ = ["INTERIOR_JUDGES"]
@@ -52,7 +53,7 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
         counts[room.full_id if wish.scope.room else room.floor] += _count(wish, room)
     having = [room for room in rooms if _count(wish, room)]
     found = [name for room in having for kind, names in room.object_ids.items() if _is(kind, wish) for name in names]
-    wanted = wish.value.count if wish.value.count is not None else 2
+    wanted = _wanted(wish)
     least = min(counts.values()) if wish.scope.each else counts.total()
     status: WishStatus = "met" if least >= wanted else "partly" if having else "not_met"
     where = f" in a {'room' if wish.scope.room else 'storey'}" if wish.scope.each else ""
@@ -67,9 +68,15 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
     return Verdict(status, reason, [room.full_id for room in having], found)
 
 
+def _wanted(wish: Wish) -> int:
+    """Return how many pieces are wanted: several where no number is told, one of what is a set: "coat hooks"."""
+    several = 1 if is_plural(wish.value.type.rpartition("_")[2]) else 2
+    return several if wish.value.count is None else wish.value.count
+
+
 def _in_some(wish: Wish, rooms: Sequence[JudgedRoom], *, planned: bool) -> Verdict:
     """Judge what a number of several rooms are to have, each as many; what stands in the others is of no account."""
-    wanted = -(-(2 if wish.value.count is None else wish.value.count) // wish.scope.some)
+    wanted = -(-_wanted(wish) // wish.scope.some)
     enough = [room for room in rooms if _count(wish, room) >= wanted]
     fitting = [room for room in enough if not (wish.value.exact and _of_that_noun(wish, [room]) > wanted)]
     words = wish.value.unheeded

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from mansion_bringup.check.finished_building import FinishedBuilding, Judge, is_on
 from mansion_knowledge.object_kinds import answers, noun_of, seats_of_row
 from mansion_knowledge.object_qualities import has_quality
+from mansion_language import is_plural
 from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.wishes import Wish, WishValue
 
@@ -49,7 +50,7 @@ def _object(wish: Wish, finished: FinishedBuilding) -> str:
     if wish.scope.some:
         return _some_lack(wish, finished)
     counts = _things(wish, finished)
-    wanted = 2 if wish.value.count is None else wish.value.count
+    wanted = _number(wish.value)
     have = min(counts.values(), default=0) if wish.scope.each else sum(counts.values())
     if not (wish.value.type and counts and have >= wanted):
         return f"{have} of {wanted} are there"
@@ -63,10 +64,17 @@ def _object(wish: Wish, finished: FinishedBuilding) -> str:
     )
 
 
+def _number(value: WishValue) -> int:
+    """Return how many are wanted; without a number several, or one set of what comes in sets."""
+    if value.count is not None:
+        return value.count
+    return 1 if is_plural(value.type.split("_")[-1]) else 2
+
+
 def _some_lack(wish: Wish, finished: FinishedBuilding) -> str:
     """Say how many of several rooms have what is wanted in some of them, where these are too few."""
     value, some = wish.value, wish.scope.some
-    wanted = math.ceil((2 if value.count is None else value.count) / some)
+    wanted = math.ceil(_number(value) / some)
     having = 0
     for _, room in finished.wanted_in(wish):
         things = [thing for thing in finished.things_in(room) if value.type and _called_so(thing.category, value)]
@@ -89,7 +97,7 @@ def _are_so(wish: Wish, finished: FinishedBuilding, word: str) -> bool:
             if here and wish.value.type and _called_so(thing.category, wish.value):
                 place = (thing.room if scope.room else str(scene.floor)) if scope.each else ""
                 numbers[place].append(has_quality(thing.category, thing.size, thing.material, word))
-    wanted = 2 if wish.value.count is None else wish.value.count
+    wanted = _number(wish.value)
     return all(sum(fitting) >= min(wanted, len(fitting)) for fitting in numbers.values())
 
 

@@ -41,7 +41,17 @@ _FURNITURE_TOO = frozenset({"locker", "stall"})
 _CARRIED = frozenset({"luggage", "bag", "coat", "gear", "equipment", "helmet", "parcel", "book", "tool", "storage"})
 """What lockers are for, where they are furniture and no changing room."""
 _EQUIPMENT = frozenset(
-    {("emergency", "shower"), ("safety", "shower"), ("drench", "shower"), ("birthing", "pool"), ("birth", "pool")}
+    {
+        ("emergency", "shower"),
+        ("safety", "shower"),
+        ("drench", "shower"),
+        ("birthing", "pool"),
+        ("birth", "pool"),
+        ("grab", "bar"),
+        ("towel", "bar"),
+        ("wall", "bar"),
+        ("breakfast", "bar"),
+    }
 )
 """What stands in a room, though its noun alone names a room."""
 _VERBAL_MODIFIERS = frozenset(
@@ -121,7 +131,7 @@ def _chunks(reading: Reading) -> list[tuple[int, int]]:
                 or _is_acronym(reading, index)
                 or _is_modifier(reading, index)
             )
-            and reading.word(index) not in FLOOR_WORDS
+            and (reading.word(index) not in FLOOR_WORDS or _leads_thing(reading, index))
             and reading.words(index, index + 3) != ("wall", "to", "wall")
         )
         glued = (
@@ -151,6 +161,11 @@ def _chunks(reading: Reading) -> list[tuple[int, int]]:
             chunks.append((begin, index))
             begin = -1
     return chunks
+
+
+def _leads_thing(reading: Reading, index: int) -> bool:
+    """Whether a word for a storey begins the name of a thing: "floor lamp", "deck oven"."""
+    return furniture_of(reading.words(index, index + 2))[1] > 1
 
 
 def _postposed(reading: Reading, index: int) -> bool:
@@ -269,6 +284,13 @@ def _goes_on(reading: Reading, begin: int, end: int, *, whole: bool) -> bool:
     """Whether the word after some tokens makes them a modifier, or stands for a noun itself."""
     if not whole and reading.word(end) in _PARTS | {"style", "styled"}:
         return True  # "chalet style" is how the building looks
+    if (
+        not whole
+        and reading.word(end) in OFFICE_HOLDERS
+        and not reading.plural(end)
+        and reading.word(begin - 1) == "the"
+    ):
+        return True  # "an office for the station chief"
     one = reading.word(end) == "one" and reading.word(end + 1) not in FLOOR_WORDS | {"flight"}
     return one and reading.word(begin - 1) in ("a", "an")  # "two kitchens, a meat one and a dairy one"
 

@@ -28,11 +28,15 @@ _PROPERTIES = frozenset(
     sustainable solar ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey
     gray beige turquoise golden medieval baroque futuristic steampunk ancient roman egyptian tudor colonial
     composting waterless
-    automatic electric smart antique floating shallow deep steep kosher halal antistatic double-height
+    ceiling-high automatic electric smart antique floating shallow deep steep kosher halal antistatic double-height
     """.split()
 )
 _SUBSTANCES = frozenset(
-    "glass brick concrete timber wood stone bamboo leather steel metal velvet silver square rectangular green".split()
+    """
+    glass brick concrete timber wood stone bamboo leather steel metal velvet silver square rectangular green
+    wicker rattan cane teak pine birch maple cherry mahogany beech plywood acrylic plastic perspex chrome brass copper
+    aluminium aluminum suede linen cotton jute ceramic porcelain granite wrought iron cast
+    """.split()
 )
 """Words that before a room rather say what is done or kept there: a wood shop, a green bean store."""
 _ENDINGS = ("proof", "proofed", "less", "able", "ible", "resistant", "friendly", "facing", "lit", "ceilinged", "walled")
@@ -144,6 +148,8 @@ def subject_of_building(reading: Reading, phrase: Phrase) -> list[tuple[int, int
     runs: list[tuple[int, int]] = []
     kind = reading.knowledge.buildings.get(phrase.building)
     at_home = kind is not None and kind.family in ("home", "lodging")
+    if kind is not None and kind.name in _DESK_WORK:
+        return []  # "an insurance office" has the desks of any other
     for index in range(phrase.begin, _core(reading, phrase)):
         for_cars = "car" in phrase.building or "garage" in phrase.building
         vehicle = reading.word(index) == "car" and reading.kind(index - 1) != "number" and not for_cars
@@ -157,6 +163,10 @@ def subject_of_building(reading: Reading, phrase: Phrase) -> list[tuple[int, int
         else:
             runs.append((first, index + 1))
     return runs
+
+
+_DESK_WORK = frozenset({"office", "startup_office", "coworking"})
+"""Buildings that are alike, whatever those who sit there work on."""
 
 
 def _owns(reading: Reading, index: int) -> bool:

@@ -53,6 +53,7 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         if last == at + 1 and reading.kind(last) == "word" and reading.word(last) not in FUNCTION_WORDS:
             continue  # "for 150 stacking chairs" is about what is kept there
         each = begin > end or reading.word(last) in ("each", "apiece")
+        each = each or _is_for_each(phrase, reading.value(at))
         last += (reading.word(last) in ("each", "apiece")) + (bracketed and apiece)
         span = reading.span(begin - (begin > end), last)
         found.append(ObjectFact(
@@ -62,6 +63,16 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         ))  # fmt: skip
         reading.take(begin - (begin > end), last)
     return found
+
+
+def _is_for_each(room: Phrase, people: float) -> bool:
+    """Whether a number of people is that of each of several rooms: so few, or a number that cannot be shared out."""
+    rooms = (room.count or 1) if room.counted else 1
+    return rooms > 1 and (people % rooms != 0 or people < _SHARED * rooms)
+
+
+_SHARED = 4
+"""People to a room from which on their number may be that of all rooms together."""
 
 
 def _after_storey(reading: Reading, index: int) -> int:

@@ -1,11 +1,12 @@
 """Read for which of several rooms furniture is: "one of them with a piano", "one with a desk, the other has two"."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from mansion_planner.brief.facts import BriefFacts, ObjectFact
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["SomeRooms", "some_rooms"]
+__all__ = ["SomeRooms", "furniture_of_each", "some_rooms"]
 
 _EACH = frozenset({"each", "every", "all", "both", "any", "per", "either"})
 _HAVING = frozenset({"with", "have", "has", "having", "get", "gets", "hold", "holds"})
@@ -30,9 +31,22 @@ class SomeRooms:
     before: int = 0
 
 
-def some_rooms(reading: Reading, room: Phrase | None, phrase: Phrase) -> SomeRooms:
-    """Return for which of the rooms of a phrase furniture is; the words that tell it are taken."""
-    if room is None or room.last > phrase.first:
+def some_rooms(reading: Reading, room: Phrase | None, again: Phrase | None, phrase: Phrase) -> SomeRooms:
+    """Return for which of the rooms of a phrase furniture is; the words that tell it are taken.
+
+    Parameters
+    ----------
+    room, again : Phrase, optional
+        What names the rooms first, and what does so last before the furniture.
+    phrase : Phrase
+        The furniture.
+    """
+    if room is None or again is None or again.last > phrase.first:
+        return SomeRooms()
+    if _EACH.isdisjoint(reading.words(again.last, phrase.first)) and (at := _some_of(reading, again)):
+        reading.take(at, at + 1)
+        return SomeRooms(int(reading.value(at)))
+    if room.last > phrase.first:
         return SomeRooms()
     told, before, first, end = SomeRooms(), 0, 0, 0
     for index in range(room.last, phrase.first):
@@ -71,3 +85,30 @@ def _left(reading: Reading, room: Phrase, index: int, before: int) -> int:
     """Return how many "the other" or "the rest" are: one, or all that nothing was told of."""
     one = reading.word(index) == "other" and not reading.plural(index)
     return 1 if one else (room.count or 0) - before
+
+
+def _some_of(reading: Reading, room: Phrase) -> int:
+    """Return the token of the number in "one of the bedrooms" before a phrase; 0 where it has none."""
+    at = room.begin - 1
+    at -= reading.word(at) in _POINTS
+    counts = reading.word(at) == "of" and reading.kind(at - 1) == "number" and room.plural and not room.counted
+    return at - 1 if counts and 1 <= reading.value(at - 1) <= 100 else 0
+
+
+_POINTS = frozenset({"the", "these", "those", "our", "my", "its"})
+
+
+def furniture_of_each(facts: BriefFacts) -> list[ObjectFact]:
+    """Return the furniture of a brief, that of a room which each of several others has for every such room.
+
+    In "each group has a nap room with ten cots" the number is that of every nap room.
+    """
+    named = {room.name for room in facts.rooms}
+    owners = [room for room in (*facts.rooms, *facts.households) if room.count != 1 or room.each]
+    theirs = {child.name for room in owners for child in room.suite if child.count == 1} - named
+    return [
+        replace(thing, each=True)
+        if thing.room in theirs and not (thing.each or thing.some or thing.excluded)
+        else thing
+        for thing in facts.objects
+    ]

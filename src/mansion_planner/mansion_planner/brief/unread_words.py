@@ -8,6 +8,7 @@ from mansion_planner.brief.persons import is_person
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, PREDICATES
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.rooms_of_staff import OFFICE_HOLDERS
 from mansion_planner.brief.sizes import is_size
 
 __all__ = ["leave_unread"]
@@ -259,6 +260,8 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True
     if token.text in _LOFTY and reading.word(index + 1) == "ceiling" and index + 1 in reading.taken:
         return True  # "high ceilings of 4 m"
+    if reading.word(index - 1) == "the" and reading.word(index + 1) in OFFICE_HOLDERS:
+        return True  # "an office for the station chief"
     level = _on_one_level(reading) or not reading.facts.floors
     if token.text == "step" and reading.word(index - 1) in ("no", "without", "any") and level:
         return True  # "everything on one level, no steps"
@@ -280,6 +283,8 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True
     if reading.words(index - 2, index) in (("it", "is"), ("it", "was"), ("it", "get")):
         return not is_property(token.text) or reading.word(index + 1) in ("there", "outside", "here")
+    if token.text in ("plenty", "lots", "loads") and reading.word(index + 1) == "of":
+        return True  # "plenty of cupboards" are several
     if token.text == "set" and reading.word(index + 1) == "up":
         return True
     if token.text == "room" and reading.word(index - 1) in ("all", "every") and reading.word(index + 1) == "on":

@@ -77,6 +77,9 @@ def _shared_out(
         storeys = dict.fromkeys(storey.index for storey, _ in matching) if fact.each else ()
         groups = [[entry for entry in matching if entry[0].index == index] for index in storeys]
         groups = groups or [matching or rooms]
+        alike = _alike(fact, groups[0]) if len(groups) == 1 else []
+        if alike:
+            return list(zip(alike, _shares(count, len(alike))))
         chosen = [max(group, key=lambda entry: _likelihood(fact, entry)) for group in groups]
         others = [entry for group in groups for entry in group if entry not in chosen] if fact.most else []
         return [*((entry, count) for entry in chosen), *((entry, 0) for entry in others)]
@@ -85,8 +88,20 @@ def _shared_out(
         return [(entry, -(-count // fact.some)) for entry in matching[first : first + fact.some]]
     if fact.each or not fact.exact or count < len(matching):
         return [(entry, count if fact.each else -(-count // len(matching))) for entry in matching]
-    shares = [count // len(matching) + (number < count % len(matching)) for number in range(len(matching))]
-    return list(zip(matching, shares))
+    return list(zip(matching, _shares(count, len(matching))))
+
+
+def _shares(count: int, places: int) -> list[int]:
+    """Return a number shared out over some places, the first of them with one more where it does not go evenly."""
+    return [count // places + (number < count % places) for number in range(places)]
+
+
+def _alike(fact: ObjectFact, rooms: Sequence[tuple[Storey, PlannedRoom]]) -> list[tuple[Storey, PlannedRoom]]:
+    """Return the rooms that share many beds in no room of the brief's: all that have some as a rule."""
+    if not fact.category.endswith("bed") or (fact.count or 0) < MANY:
+        return []
+    found = [entry for entry in rooms if usually_has(entry[1].kind.name, fact.category)]
+    return found if 1 < len(found) <= (fact.count or 0) else []
 
 
 def _hub_of(storey: Storey) -> PlannedRoom:
