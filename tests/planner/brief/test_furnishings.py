@@ -309,3 +309,11 @@ def test_how_a_thing_is_to_be_is_kept_once(brief: str, words: str) -> None:
     facts = read_brief(f"A house. {brief}", default_knowledge())
     assert [span.words for span in facts.unheeded] == [words]
     assert facts.unread == []
+
+
+def test_people_who_sleep_in_bunks_need_half_as_many_beds() -> None:
+    found = read_brief("A hostel with four dorms for six people with bunk beds", default_knowledge()).objects
+    assert [(fact.category, fact.count, fact.each) for fact in found] == [
+        ("bunk_bed", 3, True),
+        ("bunk_bed", None, True),
+    ]

@@ -12,7 +12,7 @@ from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.relation_rooms import Relation
-from mansion_planner.brief.room_seats import is_whole_building, places_for_people
+from mansion_planner.brief.room_seats import is_whole_building, places_for_people, sleeping_in_bunks
 from mansion_planner.brief.some_rooms import some_rooms
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.table_seats import end_of_seats, seats_at_tables
@@ -66,7 +66,7 @@ def read_furnishings(
             reading.take(phrase.last, last)
             seated = replace(found[-1], words=span.words, category="chair", span=span, count=seats, exact=False)
             found.append(replace(seated, noun="seats"))
-    return found
+    return sleeping_in_bunks(found)
 
 
 def _with_twin(phrases: list[Phrase], owner: "_Owner") -> list["_Owner"]:

@@ -217,6 +217,8 @@ def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:
         return False
     if is_size(reading.word(index)):
         return phrase.head == "object" or (not phrase.size and not _is_measured(reading, phrase))
+    if reading.word(index) == "central":
+        return phrase.room_type in _WAYS or phrase.head == "stair"
     if phrase.head == "building" and reading.word(index) in _ORIGINS:
         return True
     if phrase.head == "object" and _tells_kind(reading, phrase, index):
@@ -224,6 +226,8 @@ def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:
     return is_property(reading.word(index), things=phrase.head == "object")
 
 
+_WAYS = frozenset({"hallway", "corridor", "atrium", "living_room"})
+"""Rooms that may be asked to lie in the middle; a central kitchen or store is one for all."""
 _FORMS_OF_THINGS = frozenset(
     """
     recliner reclining rocking swivel folding extendable extending convertible canopy poster sectional freestanding

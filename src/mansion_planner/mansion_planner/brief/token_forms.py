@@ -457,17 +457,16 @@ def to_the_ceiling(tokens: list[Token]) -> list[Token]:
     return result
 
 
+_HAVING = frozenset({"have", "has", "get", "with"})
+
+
 def parts_before_of_which(tokens: list[Token]) -> list[Token]:
-    """Return the tokens with "four bedrooms of which two have a balcony" as "..., two of which have a balcony"."""
+    """Return the tokens with "four bedrooms of which two have a balcony" as "... two of which have a balcony"."""
     result = list(tokens)
-    for index in range(len(tokens) - 3):
+    for index in range(1, len(tokens) - 3):
         of, which, number, verb = tokens[index : index + 4]
-        if (of.text, which.text, number.kind) == ("of", "which", "number") and verb.text in (
-            "have",
-            "has",
-            "get",
-            "with",
-        ):
+        parts = (of.text, which.text, number.kind) == ("of", "which", "number") and verb.text in _HAVING
+        if parts and tokens[index - 1].kind == "word":
             result[index] = replace(number, start=of.start)
             result[index + 1] = replace(of, start=number.end, end=number.end)
             result[index + 2] = replace(which, start=number.end, end=number.end)
