@@ -13,6 +13,7 @@ def test_every_type_is_known() -> None:
     assert set(listed.rooms) <= set(known.rooms)
     assert set(listed.buildings) <= set(known.buildings)
     assert set(listed.objects) <= set(load_catalogue().categories)
+    assert set(listed.animals.rooms) <= set(known.rooms)
     assert set(listed.told["rooms"]) | set(listed.usual) | set(listed.subjects) <= set(known.rooms)
 
 
@@ -77,3 +78,25 @@ def test_rooms_about_something_have_furniture_for_some_subjects(
 )
 def test_an_object_is_as_a_word_says(category: str, width: float, material: str, words: str, so: bool) -> None:
     assert has_quality(category, (width, 0.8, 0.5), material, words) is so
+
+
+@pytest.mark.parametrize(
+    ("category", "size", "words", "so"),
+    [
+        ("dining_table", (1.8, 0.9, 0.75), "large", True),
+        ("dining_table", (1.2, 0.9, 0.75), "large", False),
+        ("cafe_table", (0.7, 0.7, 0.75), "small", True),
+        ("cafe_table", (0.7, 0.7, 0.75), "small square", True),
+        ("cafe_table", (0.7, 0.7, 0.75), "rectangular", False),
+        ("round_table", (0.9, 0.9, 0.75), "square", False),
+        ("bed", (1.1, 2.1, 0.5), "large", False),
+        ("bookshelf", (1.0, 0.3, 1.9), "tall", True),
+        ("bookshelf", (1.0, 0.3, 1.9), "low", False),
+        ("coffee_table", (1.0, 0.6, 0.4), "low", True),
+        ("toilet", (0.5, 0.9, 1.0), "small", False),
+    ],
+)
+def test_a_size_in_words_is_measured_where_usual_ones_are_known(
+    category: str, size: tuple[float, float, float], words: str, so: bool
+) -> None:
+    assert has_quality(category, size, "wood_oak", words) is so

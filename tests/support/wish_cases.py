@@ -29,6 +29,16 @@ def _thing(
     return wish("object", WishValue(name=name, type=category, count=count, exact=exact), scope)
 
 
+def _ranked(name: str, rank: Literal["largest", "smallest"]) -> Wish:
+    kind = name.partition("_")[0]
+    return wish("room", WishValue(name=name, type=kind, count=1, rank=rank))
+
+
+def _some(name: str, category: str, count: int, some: int, *words: str, exact: bool = False) -> Wish:
+    value = WishValue(name=name, type=category, count=count, exact=exact, unheeded=list(words))
+    return wish("object", value, Scope(room="bedroom", room_type="bedroom", some=some))
+
+
 def _bound(name: str, count: int, area: float, limit: Literal["most", "least"]) -> WishValue:
     return WishValue(name=name, type=name, count=count, area=area, limit=limit)
 
@@ -189,5 +199,21 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("crowd", wish("occupants", WishValue(name="guest", count=4000)), "not_met"),
     ("only", wish("only"), "not_met"),
     ("unread", wish("unread"), "not_understood"),
+    ("the largest of its type", _ranked("bedroom_1", "largest"), "met"),
+    (
+        "not the largest",
+        wish("room", WishValue(name="dining_room", type="living_room", count=1, rank="largest")),
+        "partly",
+    ),
+    ("the only one of its type", _ranked("kitchen", "smallest"), "met"),
+    ("of the wood that is named", _made_of("oak"), "met"),
+    ("of another wood", _made_of("pine"), "partly"),
+    ("in one of two rooms", _some("beds", "bed", 2, 1), "met"),
+    ("exactly so many in one of two rooms", _some("beds", "bed", 1, 1, exact=True), "met"),
+    ("in one room too few", _some("beds", "bed", 3, 1), "partly"),
+    ("in both of two rooms", _some("beds", "bed", 4, 2), "partly"),
+    ("in one room, more than so many in each", _some("beds", "bed", 2, 2, exact=True), "partly"),
+    ("in one room, as it is to be", _some("beds", "bed", 1, 1, "round"), "partly"),
+    ("in none of two rooms", _some("desks", "desk", 1, 1), "not_met"),
 ]
 """What the wish is, the wish, and the status that the house gives it."""

@@ -15,6 +15,7 @@ __all__ = [
     "idle_without",
     "is_fixed",
     "is_service",
+    "noun_of",
     "of_one_kind",
     "seats_of_row",
     "single_seat",
@@ -31,6 +32,7 @@ class _Kinds(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     added: dict[str, str]
     single_seats: dict[str, str]
     idle_without: dict[str, list[str]]
+    nouns: dict[str, str]
     services: list[str]
     installed: list[str]
 
@@ -55,6 +57,17 @@ def answers(requested: str, category: str) -> bool:
     (True, False, False)
     """
     return category == requested or category in substitutes(requested)
+
+
+def noun_of(category: str) -> str:
+    """Return the noun that people count objects of a category by: its last word as a rule.
+
+    Examples
+    --------
+    >>> noun_of("office_desk"), noun_of("library_stack")
+    ('desk', 'bookshelf')
+    """
+    return _kinds().nouns.get(category, category.rpartition("_")[2])
 
 
 def of_one_kind(one: str, other: str) -> bool:

@@ -8,7 +8,7 @@ import msgspec
 
 from mansion_msgs_py.codec import prepared
 
-__all__ = ["StandInKind", "answers_when_told", "is_for_another_subject", "stands_in"]
+__all__ = ["StandInKind", "answers_when_told", "is_for_animals", "is_for_another_subject", "stands_in"]
 
 StandInKind: TypeAlias = Literal["rooms", "buildings", "objects"]
 
@@ -18,12 +18,18 @@ class _Subjects(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     shown: list[str]
 
 
+class _Animals(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    rooms: list[str]
+    words: list[str]
+
+
 class _StandIns(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     rooms: dict[str, list[str]]
     buildings: dict[str, list[str]]
     objects: dict[str, list[str]]
     told: dict[str, list[str]]
     usual: dict[str, list[str]]
+    animals: _Animals
     subjects: dict[str, _Subjects]
 
 
@@ -69,6 +75,18 @@ def answers_when_told(room_type: str) -> bool:
     (True, False)
     """
     return room_type in _stand_ins().told["rooms"]
+
+
+def is_for_animals(room_type: str, name: str) -> bool:
+    """Whether a room's name, in snake case, says that animals live in it, and its type has furniture for people alone.
+
+    Examples
+    --------
+    >>> is_for_animals("hospital_ward", "bird_ward"), is_for_animals("kennel", "dog_ward")
+    (True, False)
+    """
+    animals = _stand_ins().animals
+    return room_type not in animals.rooms and not set(name.split("_")).isdisjoint(animals.words)
 
 
 def is_for_another_subject(room_type: str, noun: str, word: str) -> bool:

@@ -76,6 +76,8 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
         The area is a bound: no more, or no less, is wanted. For furniture, no more than `count` is wanted anywhere.
     door : bool
         A door or an opening is to join the two rooms of a relation.
+    rank : {"", "largest", "smallest"}
+        What the room is to be among those of its type.
     """
 
     name: str = ""
@@ -91,6 +93,7 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     unheeded: list[str] = []
     limit: Literal["", "most", "least"] = ""
     door: bool = False
+    rank: Literal["", "largest", "smallest"] = ""
 
 
 class Scope(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
@@ -106,6 +109,8 @@ class Scope(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
         The flat or other unit of which each holds the rooms for itself; the count is for each.
     each : bool
         The count is for every such floor or room, not for all together.
+    some : int
+        Of how many of the rooms each has its share of the count, whatever the others have; 0 where it is not for some.
     """
 
     floors: list[int] = []
@@ -114,6 +119,7 @@ class Scope(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     unit: str = ""
     unit_type: str = ""
     each: bool = False
+    some: int = 0
 
 
 class Wish(msgspec.Struct, frozen=True, kw_only=True):

@@ -33,3 +33,9 @@ def test_areas_behind_a_number_are_shared_out() -> None:
 def test_more_rooms_for_others_are_of_the_same_kind() -> None:
     rooms = read_brief("A house. One bedroom for us, three for the kids.", default_knowledge()).rooms
     assert [(room.room_type, room.count) for room in rooms] == [("bedroom", 1), ("bedroom", 3)]
+
+
+def test_of_which_some_have_a_room_is_told_of_as_many() -> None:
+    facts = read_brief("A house with four bedrooms of which two have a balcony.", default_knowledge())
+    assert [(room.room_type, room.count) for room in facts.rooms] == [("bedroom", 4), ("balcony_room", 2)]
+    assert facts.unread == []

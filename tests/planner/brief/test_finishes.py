@@ -55,3 +55,10 @@ def test_a_second_material_goes_on_with_the_room_of_the_first() -> None:
 def test_throughout_means_every_room(text: str, throughout: bool) -> None:
     (fact,) = _facts(text).materials
     assert (fact.throughout, fact.room_type) == (throughout, "")
+
+
+def test_a_floor_may_be_called_by_its_own_name() -> None:
+    facts = read_brief("A house with a lounge with oak parquet, and a study", default_knowledge())
+    assert [(fact.surface, fact.material, fact.room_type) for fact in facts.materials] == [
+        ("floor", "oak parquet", "lounge")
+    ]

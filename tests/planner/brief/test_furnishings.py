@@ -221,3 +221,99 @@ def test_what_is_wanted_nowhere_is_wanted_in_no_room(text: str, room: str) -> No
 def test_racks_of_a_server_room_are_server_racks() -> None:
     wanted = read_brief("A data centre with two data halls of 24 racks each", default_knowledge()).objects
     assert [entry.category for entry in wanted] == ["server_rack"]
+
+
+@pytest.mark.parametrize(
+    ("brief", "shares"),
+    [
+        (
+            "A community centre: three meeting rooms - one with a round table, one with a sofa, one with eight desks",
+            [("round_table", 1, 0), ("sofa", 1, 1), ("desk", 1, 2)],
+        ),
+        ("Two bedrooms, one with a desk and the other with a piano", [("desk", 1, 0), ("piano", 1, 1)]),
+        ("Four bedrooms, one with a desk, the other three have bunk beds", [("desk", 1, 0), ("bunk_bed", 3, 1)]),
+        ("Three classrooms, each with a piano", [("piano", 0, 0)]),
+    ],
+)
+def test_what_some_of_several_rooms_have_is_in_as_many_others(brief: str, shares: list[tuple[str, int, int]]) -> None:
+    found = read_brief(brief, default_knowledge()).objects
+    assert [(fact.category, fact.some, fact.others) for fact in found] == shares
+    assert all(fact.each != bool(fact.some) for fact in found)
+
+
+def test_what_rooms_for_men_and_for_women_have_is_in_either() -> None:
+    found = read_brief("A gym. Locker rooms for men and women with thirty lockers each", default_knowledge()).objects
+    assert [(fact.room, fact.count) for fact in found] == [("man_locker_room", 30), ("woman_locker_room", 30)]
+
+
+@pytest.mark.parametrize(
+    ("brief", "owners"),
+    [
+        ("A gym: a spinning room with twenty bikes, a boxing ring, changing rooms", ["spinning_room", ""]),
+        ("A house: kitchen, guest toilet, cupboard under the stairs", [""]),
+        ("A library: open stacks with 60 shelves, eight public computers, reading room", ["open_stack", ""]),
+        ("An office with a kitchen, herb store, no televisions", [""]),
+        ("A house: a garage with a bike, a workbench and a ladder", ["garage", "garage", "garage"]),
+        ("A house with three bedrooms. One of the bedrooms has a cot", ["bedroom"]),
+    ],
+)
+def test_what_is_listed_beside_a_room_is_not_in_it(brief: str, owners: list[str]) -> None:
+    assert [fact.room for fact in read_brief(brief, default_knowledge()).objects] == owners
+
+
+def test_a_number_that_can_be_shared_out_is_that_of_all_rooms() -> None:
+    found = read_brief("36 workstations in three team areas; a lamp in three cells", default_knowledge()).objects
+    assert [(fact.room, fact.count, fact.each) for fact in found] == [("team_area", 36, False), ("cell", 1, True)]
+
+
+def test_what_a_room_of_each_group_has_is_for_every_group() -> None:
+    brief = "A kindergarten with four groups. Each group has a group room and a nap room with ten cots."
+    assert [(fact.count, fact.each) for fact in read_brief(brief, default_knowledge()).objects] == [(10, True)]
+
+
+@pytest.mark.parametrize(
+    ("brief", "each"),
+    [("Three seminar rooms for twenty", True), ("Two meeting rooms for four", True), ("Two halls for 60", False)],
+)
+def test_a_few_people_are_those_of_each_room(brief: str, each: bool) -> None:
+    assert [fact.each for fact in read_brief(f"A clinic. {brief}.", default_knowledge()).objects] == [each]
+
+
+@pytest.mark.parametrize(
+    ("thing", "category", "count"),
+    [
+        ("two floor lamps", "floor_lamp", 2),
+        ("two deck ovens", "stove", 2),
+        ("two drum kits", "drum_kit", 2),
+        ("grab bars", "grab_bar", None),
+        ("an exam couch", "exam_table", 1),
+    ],
+)
+def test_things_are_known_by_their_whole_name(thing: str, category: str, count: int | None) -> None:
+    facts = read_brief(f"A house with a bathroom with {thing}.", default_knowledge())
+    assert [(fact.category, fact.count) for fact in facts.objects] == [(category, count)]
+    assert [room.name for room in facts.rooms] == ["bathroom"]
+    assert facts.unread == []
+
+
+@pytest.mark.parametrize(
+    ("brief", "words"),
+    [
+        ("A lounge with a sofa in green.", "green"),
+        ("A lounge with floor-to-ceiling bookshelves.", "floor-to-ceiling"),
+        ("A sunroom with wicker chairs.", "wicker"),
+        ("A washroom with six small toilets.", "small"),
+    ],
+)
+def test_how_a_thing_is_to_be_is_kept_once(brief: str, words: str) -> None:
+    facts = read_brief(f"A house. {brief}", default_knowledge())
+    assert [span.words for span in facts.unheeded] == [words]
+    assert facts.unread == []
+
+
+def test_people_who_sleep_in_bunks_need_half_as_many_beds() -> None:
+    found = read_brief("A hostel with four dorms for six people with bunk beds", default_knowledge()).objects
+    assert [(fact.category, fact.count, fact.each) for fact in found] == [
+        ("bunk_bed", 3, True),
+        ("bunk_bed", None, True),
+    ]

@@ -2,7 +2,9 @@
 
 import pytest
 
+from mansion_knowledge import default_knowledge
 from mansion_msgs_py.request import BuildRequest
+from mansion_planner.brief import read_brief
 from mansion_planner.plan import plan_building
 
 
@@ -32,3 +34,8 @@ def test_a_number_of_something_else_says_nothing_of_people(brief: str) -> None:
 def test_a_flat_for_two_has_one_bedroom() -> None:
     program = plan_building(BuildRequest(description="a small flat for two")).program
     assert [room.room_type for floor in program.floors for room in floor.rooms].count("bedroom") == 1
+
+
+def test_people_may_be_counted_right_before_a_list() -> None:
+    facts = read_brief("Student flat for three: three bedrooms, kitchen", default_knowledge())
+    assert [(fact.count, fact.noun) for fact in facts.occupants] == [(3, "person")]

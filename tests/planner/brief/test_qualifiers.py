@@ -22,6 +22,8 @@ def unread(text: str) -> str:
     ("text", "words"),
     [
         ("a house with a soundproof music room", ["soundproof"]),
+        ("a house with a central hall", ["central"]),
+        ("a hospital with a central kitchen", []),
         ("a school with 8 sound-proof practice rooms", ["sound-proof"]),
         ("a flat with a wheelchair accessible bathroom", ["wheelchair", "accessible"]),
         ("a house with a windowless store", ["windowless"]),

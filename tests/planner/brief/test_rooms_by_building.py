@@ -52,3 +52,15 @@ def test_a_loo_in_a_bathroom_is_no_room_of_its_own() -> None:
     facts = read_brief("A house with a bathroom with a loo and a basin.", default_knowledge())
     assert [room.name for room in facts.rooms] == ["bathroom"]
     assert [(thing.category, thing.room) for thing in facts.objects] == [("toilet", "bathroom"), ("sink", "bathroom")]
+
+
+@pytest.mark.parametrize(
+    ("brief", "kind"),
+    [
+        ("A loft apartment for a painter: a studio with an easel, kitchenette, shower room", "art_room"),
+        ("A winery with a press room", "production_hall"),
+        ("A yoga studio with two practice rooms", "yoga_studio"),
+    ],
+)
+def test_a_room_is_what_its_building_makes_of_it(brief: str, kind: str) -> None:
+    assert kind in [room.room_type for room in read_brief(brief, default_knowledge()).rooms]

@@ -71,3 +71,10 @@ def test_a_rest_room_to_lie_down_in_is_no_lavatory(things: str) -> None:
 @pytest.mark.parametrize("things", ["two basins", "three stalls"])
 def test_other_rest_rooms_are_lavatories(things: str) -> None:
     assert types(f"A day centre with a rest room with {things} and a kitchen.")["rest_room"] == "restroom"
+
+
+@pytest.mark.parametrize("refused", ["a shower, no bath", "a shower but without a bath"])
+def test_no_bath_in_a_bathroom_is_no_tub(refused: str) -> None:
+    facts = read_brief(f"A flat with a bathroom with {refused}.", default_knowledge())
+    assert [(fact.category, fact.excluded) for fact in facts.objects][-1] == ("bathtub", True)
+    assert facts.excluded == []

@@ -23,6 +23,11 @@ def read(brief: str) -> BriefFacts:
         "A software company moves into an office building with 2 floors.",
         "Please furnish a flat for a young couple: bedroom, living room, kitchen, bathroom.",
         "We dream of a flat with a study.",
+        "My nan needs a bungalow with a kitchen.",
+        "A vet's practice with a lab.",
+        "Retail: a bookshop with a cafe, high ceilings of 4 m.",
+        "A loft on a mezzanine-free single level.",
+        "A nursery with a small round table.",
     ],
 )
 def test_words_that_ask_for_a_building_are_no_wish(brief: str) -> None:

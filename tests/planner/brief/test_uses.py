@@ -99,3 +99,11 @@ def test_a_dwelling_holds_the_rooms_that_it_heads(text: str) -> None:
 
 def test_what_a_storey_holds_first_is_not_the_building() -> None:
     assert _facts("Basement: car park. Ground floor: shop, lobby").building_name == ""
+
+
+def test_stores_in_a_basement_and_a_walk_up_are_no_use() -> None:
+    museum = read_brief("A museum with a lecture room and stores in the basement", default_knowledge())
+    flat = read_brief("City flat, second-floor walk-up: one bedroom, bathroom", default_knowledge())
+    assert (museum.uses, flat.uses) == ([], [])
+    assert [fact.room_type for fact in museum.rooms] == ["lecture_hall", "storage"]
+    assert [fact.room_type for fact in flat.rooms] == ["bedroom", "bathroom"]

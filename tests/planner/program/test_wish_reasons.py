@@ -23,6 +23,7 @@ def reasons(text: str) -> dict[str, str]:
         ("A hair salon with two tattoo cabins", "two tattoo cabins"),
         ("A loft with a single open space of 60 m2", "single open space"),
         ("A flat with two bedrooms, each with a den", "den"),
+        ("A rescue centre with a bird ward", "bird ward"),
     ],
 )
 def test_a_room_that_stands_in_for_another_is_told_of(text: str, room: str) -> None:

@@ -11,7 +11,7 @@ from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
 from mansion_assets.catalogue.piece_counts import pair_of_seats, pieces
 from mansion_assets.catalogue.quantities import sits_around
 from mansion_assets.catalogue.records import Arrangement, Count, HangItem, Item, RugItem, Scatter, Slot
-from mansion_knowledge.object_kinds import added_for, answers, idle_without, of_one_kind, substitutes
+from mansion_knowledge.object_kinds import added_for, answers, idle_without, noun_of, of_one_kind, substitutes
 from mansion_msgs_py.placement import Relation
 from mansion_msgs_py.program import RequestedObject
 
@@ -119,7 +119,7 @@ def _same_noun(category: str, requested: str) -> bool:
     """
     noun = requested.rpartition("_")[2]
     named = any(word == noun or (len(word) > _SHORT and noun.endswith(word)) for word in category.split("_"))
-    return named and of_one_kind(requested, category)
+    return (named or noun_of(category) == noun) and of_one_kind(requested, category)
 
 
 _SHORT = 4

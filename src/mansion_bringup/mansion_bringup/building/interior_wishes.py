@@ -8,8 +8,9 @@ from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
 from mansion_bringup.building.verdicts import Judge, Verdict, comma_separated, met_if
-from mansion_knowledge.object_kinds import answers
+from mansion_knowledge.object_kinds import answers, noun_of
 from mansion_knowledge.object_qualities import has_quality
+from mansion_language import is_plural
 from mansion_msgs_py.wishes import Wish, WishStatus
 from mansion_msgs_py.wording import in_words
 
@@ -46,12 +47,14 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
     rooms = _object_rooms(wish, state)
     if not rooms:
         return Verdict("not_met", f"there is no {in_words(wish.scope.room)}")
+    if wish.scope.some:
+        return _in_some(wish, rooms, planned=state.planned)
     counts: Counter[object] = Counter()
     for room in rooms:
         counts[room.full_id if wish.scope.room else room.floor] += _count(wish, room)
     having = [room for room in rooms if _count(wish, room)]
     found = [name for room in having for kind, names in room.object_ids.items() if _is(kind, wish) for name in names]
-    wanted = wish.value.count if wish.value.count is not None else 2
+    wanted = _wanted(wish)
     least = min(counts.values()) if wish.scope.each else counts.total()
     status: WishStatus = "met" if least >= wanted else "partly" if having else "not_met"
     where = f" in a {'room' if wish.scope.room else 'storey'}" if wish.scope.each else ""
@@ -64,6 +67,32 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
     if status == "met" and lost:
         status, reason = "partly", f"nothing was made of {comma_separated([repr(word) for word in lost])}"
     return Verdict(status, reason, [room.full_id for room in having], found)
+
+
+def _wanted(wish: Wish) -> int:
+    """Return how many pieces are wanted: several where no number is told, one of what is a set: "coat hooks"."""
+    several = 1 if is_plural(wish.value.type.rpartition("_")[2]) else 2
+    return several if wish.value.count is None else wish.value.count
+
+
+def _in_some(wish: Wish, rooms: Sequence[JudgedRoom], *, planned: bool) -> Verdict:
+    """Judge what a number of several rooms are to have, each as many; what stands in the others is of no account."""
+    wanted = -(-_wanted(wish) // wish.scope.some)
+    enough = [room for room in rooms if _count(wish, room) >= wanted]
+    fitting = [room for room in enough if not (wish.value.exact and _of_that_noun(wish, [room]) > wanted)]
+    words = wish.value.unheeded
+    good = [room for room in fitting if all(_all_are(wish, [room], word, wanted, planned=planned) for word in words)]
+    chosen = (good or fitting or enough or [room for room in rooms if _count(wish, room)])[: wish.scope.some]
+    found = [name for room in chosen for kind, names in room.object_ids.items() if _is(kind, wish) for name in names]
+    reason = ""
+    if len(enough) < wish.scope.some:
+        reason = f"{len(enough)} of {wish.scope.some} rooms have {wanted}"
+    elif len(fitting) < wish.scope.some:
+        reason = f"more than {wanted} are there in a room"
+    elif len(good) < wish.scope.some:
+        reason = f"nothing was made of {comma_separated([repr(word) for word in words])}"
+    status: WishStatus = "met" if not reason else "partly" if chosen else "not_met"
+    return Verdict(status, reason, [room.full_id for room in chosen], found)
 
 
 def _all_are(wish: Wish, rooms: Sequence[JudgedRoom], word: str, wanted: int, *, planned: bool) -> bool:
@@ -83,10 +112,9 @@ def _all_are(wish: Wish, rooms: Sequence[JudgedRoom], word: str, wanted: int, *,
 
 def _of_that_noun(wish: Wish, rooms: Sequence[JudgedRoom]) -> int:
     """Return how many objects are called by the wish's noun: in all rooms, or the most in one for a count of each."""
-    noun = wish.value.type.rpartition("_")[2]
+    noun = noun_of(wish.value.type)
     counts = [
-        sum(n for c, n in room.objects.items() if answers(wish.value.type, c) and c.rpartition("_")[2] == noun)
-        for room in rooms
+        sum(n for c, n in room.objects.items() if answers(wish.value.type, c) and noun_of(c) == noun) for room in rooms
     ]
     return max(counts, default=0) if wish.scope.each else sum(counts)
 
@@ -120,7 +148,8 @@ def _is(category: str, wish: Wish) -> bool:
 
 def _object_rooms(wish: Wish, state: JudgedBuilding) -> list[JudgedRoom]:
     if wish.scope.room:
-        return state.called(wish.scope.room, wish.scope.room_type, wish.scope.floors)
+        rooms = state.called(wish.scope.room, wish.scope.room_type, wish.scope.floors)
+        return [room for room in rooms if not state.has_own_name(room, wish.scope.room)] or rooms
     return [room for room in state.rooms if not wish.scope.floors or room.floor in wish.scope.floors]
 
 
@@ -168,13 +197,16 @@ def _is_of(surface: str, wanted: str, *, coloured: bool = True) -> bool:
     substances, colours = _substances(wanted), _colours(wanted) if coloured else set()
     if not substances:
         return not _material_words(wanted).isdisjoint(_material_words(surface))
-    same = not colours or not colours.isdisjoint(_material_words(surface))
+    woods = _material_words(wanted) & _WOODS if coloured else set()
+    said = _material_words(surface)
+    same = all(not named or not named.isdisjoint(said) for named in (colours, woods))
     return same and not substances.isdisjoint(_substances(surface))
 
 
 _COLOURS = frozenset(
     "white black grey beige blue green red yellow cream brown pink orange navy turquoise purple ivory charcoal".split()
 )
+_WOODS = frozenset("oak walnut pine maple birch bamboo cherry ash beech mahogany".split())
 _SHADES = frozenset({"dark", "light", "pale"})
 
 

@@ -148,6 +148,12 @@ class JudgedBuilding:
         own = [room for room in rooms if name in room.names]
         return own or [room for room in rooms if kind and room.type == kind]
 
+    def has_own_name(self, room: JudgedRoom, name: str) -> bool:
+        """Whether another wish calls a room by its own name: "classroom 2B" is none of "four classrooms"."""
+        stem, _, number = room.id.rpartition("_")
+        own = {room.id, stem if number.isdigit() else room.id} - {name}
+        return any(wish.kind == "room" and wish.value.name in own for wish in self.program.wishes)
+
     def behind(self, owner: JudgedRoom) -> list[JudgedRoom]:
         """Return the rooms of a storey that are reached through a room alone."""
         here = {room.full_id for room in self.rooms if room.floor == owner.floor}

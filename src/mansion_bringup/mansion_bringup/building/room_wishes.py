@@ -28,7 +28,7 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
         return _held(wish, state)
     rooms = state.called(value.name, value.type, floors)
     rooms = [room for room in rooms if room.full_id not in state.private] or rooms
-    rooms = [room for room in rooms if not _meant_elsewhere(wish, room, state)] or rooms
+    rooms = [room for room in rooms if not state.has_own_name(room, value.name)] or rooms
     if value.whole:
         rooms = [replace(room, area=room.area + sum(other.area for other in state.behind(room))) for room in rooms]
     ids = [room.full_id for room in rooms]
@@ -63,8 +63,19 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
             sizes = ", ".join(f"{room.area:.3g}" for room in rooms[:4])
             return Verdict("partly", f"{sizes} m2 instead of {BOUNDS[value.limit]}{value.area:.3g} m2", ids)
-    lack = _unusable(rooms, state) or _shut_off(rooms, state)
+    lack = _unusable(rooms, state) or _shut_off(rooms, state) or _outranked(wish, rooms, state)
     return met_if(not lack, lack, partly=True, rooms=ids)
+
+
+def _outranked(wish: Wish, rooms: Sequence[JudgedRoom], state: JudgedBuilding) -> str:
+    """Say which room of the type is larger than the one that is to be the largest, or smaller than the smallest."""
+    if not wish.value.rank:
+        return ""
+    large = wish.value.rank == "largest"
+    others = [room for room in state.rooms if room.type == wish.value.type and room not in rooms]
+    sign = 1 if large else -1
+    beyond = [other for other in others if any(sign * (other.area - room.area) > _SMALLEST for room in rooms)]
+    return f"{beyond[0].full_id} is {'larger' if large else 'smaller'}: {beyond[0].area:.3g} m2" if beyond else ""
 
 
 def _shut_off(rooms: Sequence[JudgedRoom], state: JudgedBuilding) -> str:
@@ -100,13 +111,6 @@ def _is_about(wish: Wish, room: JudgedRoom, state: JudgedBuilding) -> bool:
     if scope.room:
         return room.full_id in {other.full_id for other in state.called(scope.room, scope.room_type, scope.floors)}
     return not scope.floors or room.floor in scope.floors
-
-
-def _meant_elsewhere(wish: Wish, room: JudgedRoom, state: JudgedBuilding) -> bool:
-    """Whether another wish calls a room by its own name: "classroom 2B" is none of "four classrooms"."""
-    stem, _, number = room.id.rpartition("_")
-    own = {room.id, stem if number.isdigit() else room.id} - {wish.value.name}
-    return any(other.kind == "room" and other.value.name in own for other in state.program.wishes)
 
 
 def _held(wish: Wish, state: JudgedBuilding) -> Verdict:

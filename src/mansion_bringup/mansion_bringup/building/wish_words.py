@@ -46,7 +46,9 @@ def receipt_summary(wishes: Sequence[Wish]) -> str:
 
 def _where(scope: Scope) -> str:
     parts = []
-    if scope.room:
+    if scope.room and scope.some:
+        parts.append(f"in {scope.some} {in_words(scope.room)}")
+    elif scope.room:
         parts.append(f"in {'each ' if scope.each else ''}{in_words(scope.room)}")
     if scope.unit:
         parts.append(f"in each {in_words(scope.unit)}")

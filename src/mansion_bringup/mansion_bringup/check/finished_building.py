@@ -8,10 +8,10 @@ from functools import cached_property
 
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
-from mansion_msgs_py.scene import FloorScene, SceneRoom
+from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.wishes import Wish
 
-__all__ = ["FinishedBuilding", "Judge", "is_on", "labels_of"]
+__all__ = ["FinishedBuilding", "Judge", "is_on", "labels_of", "written"]
 
 
 @dataclass(frozen=True)
@@ -77,6 +77,17 @@ class FinishedBuilding:
         called = [(floor, room) for floor, room in there if name in labels_of(room)]
         return called or [(floor, room) for floor, room in there if kind and room.room_type == kind]
 
+    def wanted_in(self, wish: Wish) -> list[tuple[int, SceneRoom]]:
+        """Return the rooms that furniture is wanted in, but for those that another wish has a name of its own for."""
+        scope = wish.scope
+        rooms = self.meant(scope.room, scope.room_type, scope.floors)
+        others = {entry.value.name for entry in self.ledger if entry.kind == "room"} - {scope.room}
+        return [entry for entry in rooms if others.isdisjoint(written(entry[1].id))] or rooms
+
+    def things_in(self, room: SceneRoom) -> list[SceneObject]:
+        """Return the objects of a room."""
+        return [thing for scene in self.scenes for thing in scene.objects if thing.room == room.id]
+
 
 Judge = Callable[[Wish, FinishedBuilding], str]
 """Says what the building has instead of what a wish asks for; empty when it is met."""
@@ -93,6 +104,12 @@ def labels_of(room: SceneRoom) -> set[str]:
     plain = {re.sub(r"[^a-z0-9]", "", text) for text in (*spoken, room.room_type)}
     apt = not room.name or any(re.sub(r"[^a-z0-9]", "", text) in plain for text in by_id)
     return spoken | by_id if apt else spoken
+
+
+def written(room_id: str) -> tuple[str, str]:
+    """Return the name that a room's id was made from, with and without a number at its end."""
+    name = room_id.partition("/")[2]
+    return name, re.sub(r"_\d+$", "", name)
 
 
 def is_on(floor: int, floors: Sequence[int]) -> bool:

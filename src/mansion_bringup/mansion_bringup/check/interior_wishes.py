@@ -6,8 +6,9 @@ from collections import Counter, defaultdict
 from collections.abc import Mapping
 
 from mansion_bringup.check.finished_building import FinishedBuilding, Judge, is_on
-from mansion_knowledge.object_kinds import answers, seats_of_row
+from mansion_knowledge.object_kinds import answers, noun_of, seats_of_row
 from mansion_knowledge.object_qualities import has_quality
+from mansion_language import is_plural
 from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.wishes import Wish, WishValue
 
@@ -34,6 +35,7 @@ SUBSTANCES = (
 COLOURS = (
     r"\b(?:white|black|grey|beige|blue|green|red|yellow|cream|brown|pink|orange|navy|turquoise|purple|ivory|charcoal)\b"
 )
+WOODS = r"\b(?:oak|walnut|pine|maple|birch|bamboo|cherry|ash|beech|mahogany)\b"
 SHADES = r"\b(?:dark|light|pale)\b"
 """Words of shades, which count where a material is wanted of no colour."""
 
@@ -45,13 +47,15 @@ CLUTTERED, TIDY = 5.0, 1.5
 
 
 def _object(wish: Wish, finished: FinishedBuilding) -> str:
+    if wish.scope.some:
+        return _some_lack(wish, finished)
     counts = _things(wish, finished)
-    wanted = 2 if wish.value.count is None else wish.value.count
+    wanted = _number(wish.value)
     have = min(counts.values(), default=0) if wish.scope.each else sum(counts.values())
     if not (wish.value.type and counts and have >= wanted):
         return f"{have} of {wanted} are there"
     if wish.value.exact and (wish.scope.room or wish.value.limit == "most"):
-        named = _things(wish, finished, noun=wish.value.type.split("_")[-1]).values()
+        named = _things(wish, finished, noun=noun_of(wish.value.type)).values()
         there = max(named) if wish.scope.each else sum(named)
         if there > wanted:
             return f"{there} are there, more than {wanted}"
@@ -60,10 +64,32 @@ def _object(wish: Wish, finished: FinishedBuilding) -> str:
     )
 
 
+def _number(value: WishValue) -> int:
+    """Return how many are wanted; without a number several, or one set of what comes in sets."""
+    if value.count is not None:
+        return value.count
+    return 1 if is_plural(value.type.split("_")[-1]) else 2
+
+
+def _some_lack(wish: Wish, finished: FinishedBuilding) -> str:
+    """Say how many of several rooms have what is wanted in some of them, where these are too few."""
+    value, some = wish.value, wish.scope.some
+    wanted = math.ceil(_number(value) / some)
+    having = 0
+    for _, room in finished.wanted_in(wish):
+        things = [thing for thing in finished.things_in(room) if value.type and _called_so(thing.category, value)]
+        of_the_noun = [thing for thing in things if noun_of(thing.category) == noun_of(value.type)]
+        plain = [seats_of_row(thing.category, thing.size[0]) for thing in things]
+        over = value.exact and sum(seats_of_row(t.category, t.size[0]) for t in of_the_noun) > wanted
+        good = [all(has_quality(t.category, t.size, t.material, word) for word in value.unheeded) for t in things]
+        having += sum(plain) >= wanted and not over and sum(good) >= min(wanted, len(good))
+    return f"{having} of {some} rooms have {wanted}" if having < some else ""
+
+
 def _are_so(wish: Wish, finished: FinishedBuilding, word: str) -> bool:
     """Whether enough of the things of a wish are as a word says; in every place where the count is for each."""
     scope = wish.scope
-    rooms = {room.id for _, room in finished.meant(scope.room, scope.room_type, scope.floors)} if scope.room else None
+    rooms = {room.id for _, room in finished.wanted_in(wish)} if scope.room else None
     numbers: dict[str, list[bool]] = defaultdict(list)
     for scene in finished.scenes:
         for thing in scene.objects:
@@ -71,17 +97,14 @@ def _are_so(wish: Wish, finished: FinishedBuilding, word: str) -> bool:
             if here and wish.value.type and _called_so(thing.category, wish.value):
                 place = (thing.room if scope.room else str(scene.floor)) if scope.each else ""
                 numbers[place].append(has_quality(thing.category, thing.size, thing.material, word))
-    wanted = 2 if wish.value.count is None else wish.value.count
+    wanted = _number(wish.value)
     return all(sum(fitting) >= min(wanted, len(fitting)) for fitting in numbers.values())
 
 
 def _no_object(wish: Wish, finished: FinishedBuilding) -> str:
     places = [place for place, count in _things(wish, finished).items() if count]
     if not places and re.search(r"(^|_)carpets?$", wish.value.name):
-        scope = wish.scope
-        rooms = (
-            finished.meant(scope.room, scope.room_type, scope.floors) if scope.room else finished.rooms(scope.floors)
-        )
+        rooms = finished.wanted_in(wish) if wish.scope.room else finished.rooms(wish.scope.floors)
         places = [room.id for _, room in rooms if "carpet" in room.floor_material]
     return f"{places[0]} has one" if places else ""
 
@@ -89,18 +112,18 @@ def _no_object(wish: Wish, finished: FinishedBuilding) -> str:
 def _things(wish: Wish, finished: FinishedBuilding, *, noun: str = "") -> dict[str, int]:
     """Return how many objects of the wish's category each place has: a room where one is named, a storey elsewhere.
 
-    With a noun, those alone whose category ends in it.
+    With a noun, those alone that people count by it.
     """
     scope = wish.scope
     placed: Counter[str] = Counter()
     for scene in finished.scenes:
         for thing in scene.objects:
-            if noun and not (thing.category.split("_")[-1] == noun and answers(wish.value.type, thing.category)):
+            if noun and not (noun_of(thing.category) == noun and answers(wish.value.type, thing.category)):
                 continue
             if wish.value.type and _called_so(thing.category, wish.value):
                 placed[thing.room] += seats_of_row(thing.category, thing.size[0])
     if scope.room:
-        return {room.id: placed[room.id] for _, room in finished.meant(scope.room, scope.room_type, scope.floors)}
+        return {room.id: placed[room.id] for _, room in finished.wanted_in(wish)}
     return {
         f"storey {scene.floor}": sum(placed[room.id] for room in scene.rooms)
         for scene in finished.scenes
@@ -145,6 +168,8 @@ def _made_of(surface: str, wanted: str) -> bool:
     if named:
         colours = re.findall(COLOURS, there) or re.findall(SHADES, there)
         coloured = not colours or any(re.search(rf"\b{colour}\b", here) for colour in colours)
+        trees = re.findall(WOODS, there)
+        coloured = coloured and (not trees or any(re.search(rf"\b{tree}\b", here) for tree in trees))
         return coloured and any(re.search(pattern, here) for pattern in named)
     return any(re.search(rf"\b{re.escape(word)}\b", here) for word in there.split())
 

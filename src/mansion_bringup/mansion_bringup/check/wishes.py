@@ -13,7 +13,7 @@ import msgspec
 from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
-from mansion_bringup.check.finished_building import FinishedBuilding, Judge, is_on, labels_of
+from mansion_bringup.check.finished_building import FinishedBuilding, Judge, is_on, labels_of, written
 from mansion_bringup.check.interior_wishes import INTERIOR_JUDGES
 from mansion_bringup.check.shapes import is_upright, outline_forms, shared_wall
 from mansion_knowledge import default_knowledge, is_class
@@ -248,7 +248,7 @@ def _room(wish: Wish, finished: FinishedBuilding) -> str:
     rooms = finished.meant(value.name, value.type, floors)
     rooms = [entry for entry in rooms if entry[1].id not in finished.owned] or rooms
     names = {entry.value.name for entry in finished.ledger if entry.kind == "room"} - {value.name}
-    rooms = [entry for entry in rooms if names.isdisjoint(_written(entry[1].id))] or rooms
+    rooms = [entry for entry in rooms if names.isdisjoint(written(entry[1].id))] or rooms
     if not rooms:
         return "there is no such room where it is wanted"
     alike = [
@@ -265,7 +265,21 @@ def _room(wish: Wish, finished: FinishedBuilding) -> str:
         or _wrong_areas(wish, finished, rooms, several=len(alike) > 1)
         or _idle(finished, rooms)
         or _closed(finished, rooms)
+        or _of_another_rank(wish, finished, rooms)
     )
+
+
+def _of_another_rank(wish: Wish, finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
+    """Say that a room is not the largest or the smallest of its type, where it is to be that."""
+    meant = {room.id: room.area for _, room in rooms}
+    others = [r.area for _, r in finished.rooms() if r.room_type == wish.value.type and r.id not in meant]
+    if not others or not wish.value.rank:
+        return ""
+    if wish.value.rank == "largest":
+        within = max(others) <= min(meant.values()) + LEAST_TOLERANCE
+    else:
+        within = min(others) >= max(meant.values()) - LEAST_TOLERANCE
+    return "" if within else f"it is not the {wish.value.rank}"
 
 
 def _closed(finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
@@ -342,12 +356,6 @@ def _idle(finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) ->
         if driven_into and not any(None in door.rooms and room.id in door.rooms for door in scene.doors):
             return f"no vehicle can drive into {room.id}"
     return ""
-
-
-def _written(room_id: str) -> tuple[str, str]:
-    """Return the name that a room's id was made from, with and without a number at its end."""
-    name = room_id.partition("/")[2]
-    return name, re.sub(r"_\d+$", "", name)
 
 
 def _inside(wish: Wish, finished: FinishedBuilding) -> str:

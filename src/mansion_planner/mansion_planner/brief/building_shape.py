@@ -5,6 +5,7 @@ from typing import TypeAlias
 
 from mansion_planner.brief.corrections import taken_back_by
 from mansion_planner.brief.facts import BriefFacts, CopyFact, FloorRef, Shape
+from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.sizes import is_size, size_of
 
@@ -49,6 +50,8 @@ def _shape_at(reading: Reading, i: int) -> _Found | None:
         return "courtyard", i, i + 1, i + 1
     if word in ("rectangular", "rectangle", "oblong"):
         named = reading.word(i + 1) in ("outline", "footprint", "plan", "shape", "building")
+        if not named and _names_part(reading, i + 1):
+            return None
         return "rectangle", i, i + 1, i + 1 + named
     return _square_at(reading, i) if word == "square" else None
 
@@ -57,7 +60,7 @@ def _letter_at(reading: Reading, i: int) -> _Found | None:
     """Return the outline that a letter names: "L-shaped", "in the form of a U", "bent like an L"."""
     shape = _SHAPES[reading.word(i)]
     shaped = reading.word(i + 1) == "shaped"
-    if shaped and _names_room(reading, i + 2):
+    if shaped and _names_part(reading, i + 2):
         return None  # "an L-shaped living room"
     lead = " ".join(reading.word(i - k) for k in (3, 2, 1))
     formed = reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed", "outline", "footprint", "layout")
@@ -74,7 +77,7 @@ def _square_at(reading: Reading, i: int) -> _Found | None:
     """Return a square outline: "a square tower", "a perfect square", "an office of 900 m2 a storey, square"."""
     following = reading.word(i + 1)
     named = ("outline", "footprint", "plan", "shape", "shaped", "building", "tower", "house", "form")
-    if following in named and not (following == "shaped" and _names_room(reading, i + 2)):
+    if following in named and not (following == "shaped" and _names_part(reading, i + 2)):
         return "square", i, i + 2, i + 2
     if reading.words(i - 2, i) in (("a", "perfect"), ("an", "exact"), ("is", "a")):
         reading.take(i - 1, i)
@@ -118,12 +121,14 @@ def _is_letter(reading: Reading, index: int) -> bool:
     return reading.text[token.start : token.end].isupper()
 
 
-def _names_room(reading: Reading, index: int) -> bool:
-    """Whether a room is named within three words from a token: what stands before it is said of the room."""
+def _names_part(reading: Reading, index: int) -> bool:
+    """Whether a room or a thing is named within three words from a token: what stands before it is said of that."""
     for at in range(index, index + 3):
         mention = reading.mention_at.get(at)
         if mention is not None:
             return bool(mention.room) and not mention.building
+        if furniture_of(reading.words(index, at + 1))[0]:
+            return True  # "an L-shaped sofa"
         if reading.kind(at) != "word":
             return False
     return False

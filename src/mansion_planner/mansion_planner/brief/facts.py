@@ -197,6 +197,8 @@ class ObjectFact:
         No more of them are wanted.
     some : int
         Of how many such rooms each has its share; 0 where all do.
+    others : int
+        How many such rooms the brief has told what they have before: it is none of these.
     rows : int
         In how many rows it stands, of a length that the brief does not tell; 0 where it tells no rows.
     """
@@ -213,6 +215,7 @@ class ObjectFact:
     noun: str = ""
     exact: bool = False
     some: int = 0
+    others: int = 0
     rows: int = 0
     most: bool = False
 

@@ -1,5 +1,6 @@
 """Tell nouns that name nothing to build: verbs, pictures, modifiers of another noun."""
 
+from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, PREDICATES
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
@@ -17,6 +18,8 @@ def is_figurative(reading: Reading, begin: int, end: int) -> bool:
         return True  # "they slide down a pole", "where a robot can vacuum": a verb
     if noun == "present" and lead in _COPULAS:
         return True  # "a lift is present"
+    if noun == "storage" and lead == "with" and furniture_of(reading.words(begin - 2, begin - 1))[0]:
+        return True  # "a sofa with storage underneath"
     if noun == "snug" and (lead in _COPULAS or (lead in ("and", ",") and reading.word(begin - 2) in PLAIN)):
         return True  # "the bedrooms should be warm and snug"
     if noun == "flat" and not reading.plural(begin) and (_is_level(reading, end) or _has_no_steps(reading, begin)):
@@ -70,7 +73,8 @@ def is_modifier(reading: Reading, end: int) -> bool:
         reading.kind(end) == "word"
         and reading.word(end) not in FUNCTION_WORDS | PLAIN | PREDICATES | FLOOR_WORDS | _NO_NOUNS
     )
-    return not counted and noun and not reading.word(end).endswith(("ly", "ed", "ing"))
+    done = reading.word(end).endswith("ing") and (reading.breaks(end + 1) or reading.word(end + 1) == ",")
+    return not counted and noun and (done or not reading.word(end).endswith(("ly", "ed", "ing")))
 
 
 _NO_NOUNS = frozenset("ea too instead somewhere optional ready available kit set piece".split())

@@ -11,7 +11,7 @@ from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.similarity import room_of_building
 
-__all__ = ["read_heights", "read_materials", "read_style", "room_after"]
+__all__ = ["read_floorings", "read_heights", "read_materials", "read_style", "room_after"]
 
 _MATERIALS = (
     "oak",
@@ -248,6 +248,30 @@ def read_materials(reading: Reading) -> None:
         last = end
 
 
+def read_floorings(reading: Reading) -> None:
+    """Read floors that are called by their own name, where nothing else was read from it: "a study in oak parquet"."""
+    for index in range(len(reading.tokens)):
+        if reading.word(index) in _FLOORINGS and index not in reading.taken:
+            _read_flooring(reading, index)
+
+
+def _read_flooring(reading: Reading, index: int) -> None:
+    if not (reading.breaks(index + 1) or reading.word(index + 1) in _AFTER_FLOORINGS):
+        return
+    first = _material_ending(reading, index) or index + 1
+    if reading.word(first - 2) not in ("with", "in"):
+        return
+    here = [m for m in reading.mentions if m.last < first and reading.sentence[m.first] == reading.sentence[index]]
+    rooms = [m.room for m in here[-1:] if m.room and not m.building]
+    if rooms:
+        words, span = _text(reading, first - 1, index + 1), reading.span(first - 1, index + 1)
+        reading.facts.materials.append(MaterialFact("floor", words, rooms[0], span))
+        reading.take(first - 1, index + 1)
+
+
+_FLOORINGS = frozenset({"parquet", "laminate", "linoleum", "lino", "terrazzo", "floorboard"})
+"""Nouns for a floor, which need no other."""
+_AFTER_FLOORINGS = frozenset({",", "and", ";", ")", "in", "throughout", "or", "with"})
 _JOINING = frozenset({"and", ",", "a", "an", "the", "with"})
 _EVERYWHERE = frozenset({"all", "every", "throughout", "everywhere"})
 _HAVING = frozenset("has have get gets need needs with should must will a an the its their : would want".split())

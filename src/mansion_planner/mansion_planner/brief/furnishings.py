@@ -9,9 +9,11 @@ from mansion_planner.brief.absences import is_nowhere_wanted
 from mansion_planner.brief.facts import MaterialFact, ObjectFact
 from mansion_planner.brief.furniture_words import special_kind, usually_in
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
+from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.relation_rooms import Relation
-from mansion_planner.brief.room_seats import is_whole_building, places_for_people
+from mansion_planner.brief.room_seats import is_whole_building, places_for_people, sleeping_in_bunks
+from mansion_planner.brief.some_rooms import some_rooms
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.table_seats import end_of_seats, seats_at_tables
 
@@ -53,7 +55,8 @@ def read_furnishings(
             continue
         if number not in negated and _covers_floor(reading, phrase, phrases[owners[number][0] or 0], owners[number]):
             continue
-        for owner in _residents_rooms(reading, phrases, number, same) or [_named_owner(phrases, owners[number], same)]:
+        named = [_named_owner(phrases, owner, same) for owner in _with_twin(phrases, owners[number])]
+        for owner in _residents_rooms(reading, phrases, number, same) or named:
             placed = _placed_owner(reading, phrases, number, owner, negated)
             found.append(_furniture(reading, phrases, number, placed, attached, excluded=number in negated))
         seats = seats_at_tables(reading, phrases, number)
@@ -63,7 +66,23 @@ def read_furnishings(
             reading.take(phrase.last, last)
             seated = replace(found[-1], words=span.words, category="chair", span=span, count=seats, exact=False)
             found.append(replace(seated, noun="seats"))
-    return found
+    return sleeping_in_bunks(found)
+
+
+def _with_twin(phrases: list[Phrase], owner: "_Owner") -> list["_Owner"]:
+    """Return the owner of furniture, and before it the room for others that stands with it in one plural.
+
+    In "locker rooms for men and women with thirty lockers each" the lockers are for either room.
+    """
+    room, each = owner
+    twin = room - 1 if room else None
+    if room is None or twin is None or not each:
+        return [owner]
+    one, other = phrases[twin], phrases[room]
+    alike = one.head == other.head == "room" and one.room_type == other.room_type and one.name != other.name
+    noun = one.name.partition("_")[2]
+    split = noun and noun == other.name.partition("_")[2] and other.noun_end - other.begin == 1
+    return [(twin, False), (room, False)] if alike and split else [owner]
 
 
 def _covers_floor(reading: Reading, phrase: Phrase, room: Phrase, owner: "_Owner") -> bool:
@@ -113,6 +132,13 @@ def _placed_owner(
     if room is None:
         return owner
     listed = reading.word(phrases[room].last) in (",", "and", "or", "nor", ";")
+    beside = reading.words(phrases[room].last, phrases[number].first) in ((",",), (",", "no"), (",", "without"))
+    after = phrases[number + 1] if number + 1 < len(phrases) else None
+    placed = (
+        after is not None and after.head == "room" and _leads_into(reading.words(phrases[number].last, after.begin))
+    )
+    if number in negated and beside and not placed and phrases[room].last <= phrases[number].first:
+        return None, False  # "herb store, no televisions"
     if room in negated and (number not in negated or listed):
         return None, each  # "excluded: a bar, televisions" are none of each
     replaced = number in negated and _replaced(reading, phrases, negated, number)
@@ -133,14 +159,20 @@ def _furniture(
     """Return the wish for the furniture of a phrase in the room that owns it."""
     phrase = phrases[number]
     room = phrases[owner[0]] if owner[0] is not None else None
-    some = _rooms_having(reading, room, phrase)
+    said = next((other for other in reversed(phrases[:number]) if other.head == "room"), None)
+    again = said if room is not None and said is not None and said.room_type == room.room_type else room
+    which = some_rooms(reading, room, again, phrase)
+    some = which.many
     each = (owner[1] or (owner[0] in attached and attached[owner[0]].each)) and not some
     rows = _rows_of_many(reading, phrase)
     sets = _sets(reading, phrases, number)
     placed = attached.get(number) if room is None else None
-    last = phrase.last if room is not None else _unread_place(reading, phrase)
+    coloured = reading.word(phrase.last) == "in" and is_property(reading.word(phrase.last + 1), things=True)
+    coloured = coloured and _ends_at(reading, phrase.last + 2)  # "a sofa in green"
+    last = phrase.last + 2 * coloured if room is not None or coloured else _unread_place(reading, phrase)
     if last > phrase.last:
-        reading.facts.unheeded.append(reading.span(phrase.last, last))
+        reading.facts.unheeded.append(reading.span(phrase.last + coloured, last))
+        reading.take(phrase.last, last)
     count = phrase.count and phrase.count * (some or 1)
     bare = reading.word(phrase.begin) if phrase.noun_end - phrase.begin == 1 and room is not None else ""
     return ObjectFact(
@@ -157,8 +189,14 @@ def _furniture(
         exact=phrase.counted and _NO_MORE.isdisjoint(reading.words(phrase.first, phrase.last)),
         most=phrase.counted and reading.word(phrase.first - 1) in ("only", "just", "exactly"),
         some=some,
+        others=which.before,
         rows=rows,
     )
+
+
+def _ends_at(reading: Reading, index: int) -> bool:
+    """Whether an entry of a list or a sentence ends before a token."""
+    return reading.breaks(index) or reading.word(index) in (",", "and", ")", ";", "or", "with")
 
 
 def _residents_rooms(reading: Reading, phrases: list[Phrase], number: int, same: dict[int, int]) -> list[_Owner]:
@@ -178,15 +216,6 @@ def _residents_rooms(reading: Reading, phrases: list[Phrase], number: int, same:
 
 _SENTENCES_BACK = 2
 """Sentences between rooms and what is said of those who live in them, at most."""
-
-
-def _rooms_having(reading: Reading, room: Phrase | None, phrase: Phrase) -> int:
-    """Return how many of several rooms have furniture: two in "six classrooms, two of them with a piano"; else 0."""
-    at = _some_of_them(reading, room.last, phrase.first) if room is not None and room.last <= phrase.first else 0
-    if not at:
-        return 0
-    reading.take(at, at + 1)
-    return int(reading.value(at))
 
 
 def people_served(reading: Reading, phrases: list[Phrase], number: int) -> int:
@@ -374,7 +403,8 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
         gap = reading.words(phrase.last, phrases[after].begin)
         if len(gap) <= 6 and _leads_into(gap):
             lead = {*gap, phrases[after].determiner}
-            return after, not _EACH.isdisjoint(lead) or (phrases[after].plural and "the" not in lead)
+            several = phrases[after].plural and "the" not in lead and not _is_shared_out(phrase, phrases[after])
+            return after, not _EACH.isdisjoint(lead) or several
     before = next(
         (
             n
@@ -409,6 +439,12 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
 
 
+def _is_shared_out(thing: Phrase, rooms: Phrase) -> bool:
+    """Whether a number of things is that of all rooms together: "36 workstations in three team areas"."""
+    many, over = thing.count or 1, rooms.count or 1
+    return thing.counted and rooms.counted and many >= 2 * over and many % over == 0
+
+
 def _is_of_each(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     """Whether "each" closes furniture or what is joined to it: "one desk and one bookcase each"."""
     last = phrases[number].last
@@ -428,6 +464,13 @@ def _is_own_entry(reading: Reading, phrases: list[Phrase], before: int, number: 
     apart = last.head == "object" and not last.determiner and not last.counted and thing.determiner in ("a", "an")
     if apart and reading.words(last.last, thing.first) == (",",):
         return True  # "a bathroom with shower, a bench"
+    room, unusual = phrases[before], not usually_in(thing.category, phrases[before].room_type)
+    led = thing.determiner in ("a", "an") or thing.counted
+    if len(things) > 1 and unusual and led and _stands_alone(reading, phrases, number):
+        return True  # "a spinning room with twenty bikes, a boxing ring, changing rooms"
+    bare = not (room.determiner or first.determiner or room.counted or first.counted or first.plural)
+    if bare and unusual and reading.words(room.last, first.first) == (",",):
+        return True  # "guest toilet, cupboard under the stairs"
     listed = reading.words(phrases[before].last, first.first) == (",",) and not phrases[before].areas
     if listed and phrases[before].determiner in ("a", "an"):
         return first.determiner in ("a", "an") or first.counted  # "a kitchen corner, one bed and a desk"
@@ -438,6 +481,15 @@ def _is_own_entry(reading: Reading, phrases: list[Phrase], before: int, number: 
     return closed and reading.words(things[-2].last, phrases[number].first)[:1] == (",",)
 
 
+def _stands_alone(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether commas alone stand between furniture and the things before and the room after it."""
+    if number + 1 >= len(phrases) or phrases[number + 1].head != "room":
+        return False
+    before = reading.words(phrases[number - 1].last, phrases[number].first)
+    after = reading.words(phrases[number].last, phrases[number + 1].begin)
+    return before == (",",) and after[:1] == (",",)
+
+
 def _is_beside_room(reading: Reading, phrases: list[Phrase], before: int, number: int) -> bool:
     """Whether furniture is named beside a room that it is not usual in: "long corridors and rows of desks"."""
     room, first = phrases[before], phrases[before + 1]
@@ -446,17 +498,6 @@ def _is_beside_room(reading: Reading, phrases: list[Phrase], before: int, number
     gap = [reading.word(at) for at in range(room.last, first.first) if at not in reading.taken]
     joined = gap[:1] in (["and"], ["&"], ["plus"]) and set(gap[1:]) <= {"row", "of", "a", "an"}
     return joined and not usually_in(phrases[number].category, room.room_type)
-
-
-def _some_of_them(reading: Reading, first: int, last: int) -> int:
-    """Return the token of "one" in "five practice rooms, one of them with a grand piano", or 0."""
-    for index in range(first, last - 2):
-        counts = reading.kind(index) == "number" and 1 <= reading.value(index) <= 100
-        if not counts or reading.words(index + 1, index + 3) not in (("of", "them"), ("of", "which")):
-            continue
-        if reading.value(index) == 1 or reading.word(index + 3) in ("with", "have", "has", "having", "get", "hold"):
-            return index if _EACH.isdisjoint(reading.words(index, last)) else 0
-    return 0
 
 
 def _listed_with(reading: Reading, phrases: list[Phrase], rooms: list[int], before: int, number: int) -> int:

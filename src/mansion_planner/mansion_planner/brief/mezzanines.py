@@ -28,6 +28,9 @@ def mezzanines(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token
         if _tells_use(tokens, index):
             index += 1
             continue
+        if token.text in _NAMES and _text(tokens, index + 1) == "free" and not tokens[index + 1].spaced:
+            index += 2  # "a mezzanine-free level"
+            continue
         if token.text not in _NAMES or not _DENIALS.isdisjoint(t.text for t in tokens[max(index - 3, 0) : index]):
             result.append(token)
             index += 1

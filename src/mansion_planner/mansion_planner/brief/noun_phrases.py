@@ -23,12 +23,14 @@ from mansion_planner.brief.phrase import (
     finished_phrase,
     name_of,
 )
+from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.repeated_names import further_ones, room_by_its_contents, rooms_named_again
 from mansion_planner.brief.room_names import coordinated, designated_nouns, with_designators, with_purpose, with_sizes
 from mansion_planner.brief.room_users import with_users, with_users_before
 from mansion_planner.brief.rooms_of_staff import OFFICE_HOLDERS, with_rooms_of_staff
 from mansion_planner.brief.similarity import HEAD_TYPES, room_of_building, similar_room_type, told_room_type
+from mansion_planner.brief.sizes import is_size
 
 __all__ = ["noun_phrases"]
 
@@ -39,7 +41,17 @@ _FURNITURE_TOO = frozenset({"locker", "stall"})
 _CARRIED = frozenset({"luggage", "bag", "coat", "gear", "equipment", "helmet", "parcel", "book", "tool", "storage"})
 """What lockers are for, where they are furniture and no changing room."""
 _EQUIPMENT = frozenset(
-    {("emergency", "shower"), ("safety", "shower"), ("drench", "shower"), ("birthing", "pool"), ("birth", "pool")}
+    {
+        ("emergency", "shower"),
+        ("safety", "shower"),
+        ("drench", "shower"),
+        ("birthing", "pool"),
+        ("birth", "pool"),
+        ("grab", "bar"),
+        ("towel", "bar"),
+        ("wall", "bar"),
+        ("breakfast", "bar"),
+    }
 )
 """What stands in a room, though its noun alone names a room."""
 _VERBAL_MODIFIERS = frozenset(
@@ -119,7 +131,7 @@ def _chunks(reading: Reading) -> list[tuple[int, int]]:
                 or _is_acronym(reading, index)
                 or _is_modifier(reading, index)
             )
-            and reading.word(index) not in FLOOR_WORDS
+            and (reading.word(index) not in FLOOR_WORDS or _leads_thing(reading, index))
             and reading.words(index, index + 3) != ("wall", "to", "wall")
         )
         glued = (
@@ -149,6 +161,11 @@ def _chunks(reading: Reading) -> list[tuple[int, int]]:
             chunks.append((begin, index))
             begin = -1
     return chunks
+
+
+def _leads_thing(reading: Reading, index: int) -> bool:
+    """Whether a word for a storey begins the name of a thing: "floor lamp", "deck oven"."""
+    return furniture_of(reading.words(index, index + 2))[1] > 1
 
 
 def _postposed(reading: Reading, index: int) -> bool:
@@ -189,7 +206,8 @@ def _is_modifier(reading: Reading, index: int) -> bool:
         and reading.word(index + 2) not in HEAD_TYPES
     ):
         return False
-    return listed or counted or joined
+    described = is_size(before) or is_property(before, things=True)  # "six small round tables"
+    return listed or counted or joined or described
 
 
 def _is_acronym(reading: Reading, index: int) -> bool:
@@ -266,6 +284,13 @@ def _goes_on(reading: Reading, begin: int, end: int, *, whole: bool) -> bool:
     """Whether the word after some tokens makes them a modifier, or stands for a noun itself."""
     if not whole and reading.word(end) in _PARTS | {"style", "styled"}:
         return True  # "chalet style" is how the building looks
+    if (
+        not whole
+        and reading.word(end) in OFFICE_HOLDERS
+        and not reading.plural(end)
+        and reading.word(begin - 1) == "the"
+    ):
+        return True  # "an office for the station chief"
     one = reading.word(end) == "one" and reading.word(end + 1) not in FLOOR_WORDS | {"flight"}
     return one and reading.word(begin - 1) in ("a", "an")  # "two kitchens, a meat one and a dairy one"
 

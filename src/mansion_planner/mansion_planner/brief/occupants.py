@@ -97,7 +97,7 @@ def _follows_building(reading: Reading, index: int) -> bool:
 
 
 _KIN = frozenset({"family", "household", "group"})
-_AFTER = frozenset({"and", ",", "so", "people", "in", "with"})
+_AFTER = frozenset({"and", ",", ":", ";", "-", "–", "so", "people", "in", "with"})
 """Words after a number of people that is the whole of them: "we are five and need a flat"."""
 
 

@@ -6,7 +6,8 @@ __all__ = ["COLLECTIVES", "PERSONS", "PRONOUNS", "ROBOTS", "is_person"]
 
 PERSONS = PEOPLE | frozenset(
     """
-    mother father mum mom dad parent grandparent grandmother grandfather grandma grandpa granny grandchild aunt uncle
+    mother father mum mom dad parent nan nana gran grandad granddad
+    missus fiance fiancee grandparent grandmother grandfather grandma grandpa granny grandchild aunt uncle
     cousin nephew niece son daughter husband wife partner baby toddler teenager twin sibling relative
     couple pensioner retiree bachelor senior owner landlord neighbour neighbor host
     painter singer writer poet author sculptor potter gamer collector gardener

@@ -275,7 +275,7 @@ def _is_adjective(reading: Reading, index: int, end: int) -> bool:
         return False
     word = reading.word(index)
     soft = reading.tokens[index].soft and word in ("single", "double", "twin", "triple")
-    return word == "double" or (soft and reading.plural(end - 1))
+    return word == "double" or (soft and (reading.plural(end - 1) or reading.word(end - 1) == "bed"))
 
 
 def _is_in_name(reading: Reading, index: int) -> bool:

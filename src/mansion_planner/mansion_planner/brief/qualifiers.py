@@ -28,11 +28,15 @@ _PROPERTIES = frozenset(
     sustainable solar ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey
     gray beige turquoise golden medieval baroque futuristic steampunk ancient roman egyptian tudor colonial
     composting waterless
-    automatic electric smart antique floating shallow deep steep kosher halal antistatic double-height
+    ceiling-high automatic electric smart antique floating shallow deep steep kosher halal antistatic double-height
     """.split()
 )
 _SUBSTANCES = frozenset(
-    "glass brick concrete timber wood stone bamboo leather steel metal velvet silver square rectangular green".split()
+    """
+    glass brick concrete timber wood stone bamboo leather steel metal velvet silver square rectangular green
+    wicker rattan cane teak pine birch maple cherry mahogany beech plywood acrylic plastic perspex chrome brass copper
+    aluminium aluminum suede linen cotton jute ceramic porcelain granite wrought iron cast
+    """.split()
 )
 """Words that before a room rather say what is done or kept there: a wood shop, a green bean store."""
 _ENDINGS = ("proof", "proofed", "less", "able", "ible", "resistant", "friendly", "facing", "lit", "ceilinged", "walled")
@@ -62,6 +66,7 @@ _SETTINGS = frozenset(
     mountain alpine hillside forest island family holiday vacation weekend summer winter national public private
     community communal company corporate charity volunteer state federal central county royal international university
     campus model sample demo fantasy imaginary typical traditional style styled type cum look inspired themed storey
+    research
     multifamily family-run group test pilot future small-town mixed use multi generation generational cute pretty lovely
     tower mini walk ish rise mid slim youth boy girl student staff health charming
     run owned managed occupied
@@ -132,7 +137,7 @@ def _loads(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:
 
 
 _LOADS = frozenset("good goods freight cargo bed stretcher car vehicle service food platform".split())
-_WIDTHS_OF_BEDS = frozenset({"double", "king", "queen"})
+_WIDTHS_OF_BEDS = frozenset({"single", "double", "king", "queen"})
 
 
 def subject_of_building(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:
@@ -143,6 +148,8 @@ def subject_of_building(reading: Reading, phrase: Phrase) -> list[tuple[int, int
     runs: list[tuple[int, int]] = []
     kind = reading.knowledge.buildings.get(phrase.building)
     at_home = kind is not None and kind.family in ("home", "lodging")
+    if kind is not None and kind.name in _DESK_WORK:
+        return []  # "an insurance office" has the desks of any other
     for index in range(phrase.begin, _core(reading, phrase)):
         for_cars = "car" in phrase.building or "garage" in phrase.building
         vehicle = reading.word(index) == "car" and reading.kind(index - 1) != "number" and not for_cars
@@ -156,6 +163,10 @@ def subject_of_building(reading: Reading, phrase: Phrase) -> list[tuple[int, int
         else:
             runs.append((first, index + 1))
     return runs
+
+
+_DESK_WORK = frozenset({"office", "startup_office", "coworking"})
+"""Buildings that are alike, whatever those who sit there work on."""
 
 
 def _owns(reading: Reading, index: int) -> bool:
@@ -205,7 +216,9 @@ def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:
     if reading.kind(index) != "word" or (reading.word(index) == "corner" and index > phrase.begin):
         return False
     if is_size(reading.word(index)):
-        return not phrase.size and not _is_measured(reading, phrase)
+        return phrase.head == "object" or (not phrase.size and not _is_measured(reading, phrase))
+    if reading.word(index) == "central":
+        return phrase.room_type in _WAYS or phrase.head == "stair"
     if phrase.head == "building" and reading.word(index) in _ORIGINS:
         return True
     if phrase.head == "object" and _tells_kind(reading, phrase, index):
@@ -213,6 +226,8 @@ def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:
     return is_property(reading.word(index), things=phrase.head == "object")
 
 
+_WAYS = frozenset({"hallway", "corridor", "atrium", "living_room"})
+"""Rooms that may be asked to lie in the middle; a central kitchen or store is one for all."""
 _FORMS_OF_THINGS = frozenset(
     """
     recliner reclining rocking swivel folding extendable extending convertible canopy poster sectional freestanding

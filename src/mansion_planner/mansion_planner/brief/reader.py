@@ -40,7 +40,7 @@ from mansion_planner.brief.distant_counts import (
 from mansion_planner.brief.en_suite import with_bathrooms_by_name, with_some_en_suite
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import BriefFacts, Span
-from mansion_planner.brief.finishes import read_heights, read_materials, read_style
+from mansion_planner.brief.finishes import read_floorings, read_heights, read_materials, read_style
 from mansion_planner.brief.fittings import leave_out_containers, read_fittings
 from mansion_planner.brief.furnishings import read_furnishings
 from mansion_planner.brief.groups import with_room_of_group
@@ -77,6 +77,7 @@ from mansion_planner.brief.shared_places import read_shares
 from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses
 from mansion_planner.brief.shared_sizes import with_shared_sizes
 from mansion_planner.brief.sizes import sized
+from mansion_planner.brief.some_rooms import furniture_of_each
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
@@ -138,6 +139,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     give_rooms_to_copies(reading.facts)
     read_clutter_words(reading, phrases)
     read_style(reading, named=False)
+    read_floorings(reading)
     reading.facts.unheeded += unheeded_words(reading, phrases, reading.facts)
     leave_unread(reading)
     return reading.facts
@@ -260,6 +262,7 @@ class _Reader:
             self.same,
             suites,
         ).record()
+        facts.objects = furniture_of_each(facts)
         among_adverts(facts, adverts)
         read_changed_copies(reading, self.changed)
         give_rooms_to_flat(reading)

@@ -52,6 +52,8 @@ from mansion_planner.brief.token_forms import (
     metering,
     open_decks,
     owned_by_each,
+    parts_before_of_which,
+    to_the_ceiling,
     upward_ranges,
     workplaces,
 )
@@ -235,6 +237,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens = without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à"))))
+    tokens = parts_before_of_which(to_the_ceiling(tokens))
     tokens = chosen(without_conversions(without_recalled_wishes(without_glosses(tokens))))
     tokens = spoken_turns(kinds_of_rooms(rooms_by_sex(shortened_nouns(tokens))))
     tokens, corrections = corrected_numbers(without_asides(tokens))

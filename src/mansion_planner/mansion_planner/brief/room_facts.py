@@ -62,6 +62,7 @@ class RoomStatements:
                 or number == self.building
                 or (number in self.same and phrase.first not in self.households.units)
                 or number in self.suites.owners
+                or self.reading.words(phrase.begin, phrase.noun_end) == ("walk", "up")  # on which floor a flat is
                 or phrase.first in self.households.read
             ):
                 continue
@@ -138,6 +139,8 @@ class RoomStatements:
         """Whether a plural is the use of whole storeys: "offices on floors 2 to 5", not where a crew sleeps."""
         if phrase.room_type == "dorm_room" and self.building is not None:
             return False
+        if phrase.room_type == "storage" and all(ref.kind == "basement" for ref in place.refs):
+            return False  # "stores in the basement" sell nothing
         return (
             bool(phrase.building) and bool(place.refs) and phrase.plural and phrase.count is None and not phrase.areas
         )

@@ -1,11 +1,13 @@
 """Read for how many people a room is, as the seats or beds that it needs: "a hall for 80 guests", "a 6-bed dorm"."""
 
+from dataclasses import replace
+
 from mansion_planner.brief.area_words import after_area
 from mansion_planner.brief.facts import ObjectFact
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
-__all__ = ["is_whole_building", "places_for_people"]
+__all__ = ["is_whole_building", "places_for_people", "sleeping_in_bunks"]
 
 
 def places_for_people(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]]) -> list[ObjectFact]:
@@ -17,6 +19,17 @@ def places_for_people(reading: Reading, phrases: list[Phrase], negated: dict[int
         Phrases that are not wanted.
     """
     return _seats(reading, phrases, negated) + _numbered_places(reading, phrases, negated)
+
+
+def sleeping_in_bunks(things: list[ObjectFact]) -> list[ObjectFact]:
+    """Return furniture with the beds of a room for so many as half of them bunk beds, where it is to have such."""
+    bunked = {thing.room for thing in things if thing.category == "bunk_bed" and thing.count is None}
+    return [
+        replace(thing, category="bunk_bed", count=-(-(thing.count or 0) // 2), noun="bunk beds")
+        if thing.room in bunked and thing.noun == "beds" and thing.words.startswith("for ")
+        else thing
+        for thing in things
+    ]
 
 
 def is_whole_building(reading: Reading, phrase: Phrase) -> bool:
@@ -53,6 +66,7 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         if last == at + 1 and reading.kind(last) == "word" and reading.word(last) not in FUNCTION_WORDS:
             continue  # "for 150 stacking chairs" is about what is kept there
         each = begin > end or reading.word(last) in ("each", "apiece")
+        each = each or _is_for_each(phrase, reading.value(at))
         last += (reading.word(last) in ("each", "apiece")) + (bracketed and apiece)
         span = reading.span(begin - (begin > end), last)
         found.append(ObjectFact(
@@ -62,6 +76,16 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         ))  # fmt: skip
         reading.take(begin - (begin > end), last)
     return found
+
+
+def _is_for_each(room: Phrase, people: float) -> bool:
+    """Whether a number of people is that of each of several rooms: so few, or a number that cannot be shared out."""
+    rooms = (room.count or 1) if room.counted else 1
+    return rooms > 1 and (people % rooms != 0 or people < _SHARED * rooms)
+
+
+_SHARED = 4
+"""People to a room from which on their number may be that of all rooms together."""
 
 
 def _after_storey(reading: Reading, index: int) -> int:

@@ -31,6 +31,15 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     named = _NAMED.get((base, kind)) or _NAMED.get((base, like))
     if named is not None and not itself:
         return replace(phrase, head="room", building="", room_type=named, known=True)
+    if (
+        base == "studio"
+        and phrase.room_type == "studio_apartment"
+        and kind in _HOMES
+        and not itself
+        and not phrase.plural
+    ):
+        painted = not _PAINTING.isdisjoint(token.text for token in reading.tokens)
+        return replace(phrase, head="room", building="", room_type="art_room", known=painted)
     lodging = _PLAIN.get(kind) or _PLAIN.get(like)
     if (
         lodging
@@ -204,6 +213,10 @@ _FOR_CARS = frozenset("car vehicle auto motor truck lorry bus van service repair
 _STUDIOS = {"dance": "dance_studio", "ballet": "dance_studio", "yoga": "yoga_studio", "pilates": "yoga_studio",
             "photo": "photo_studio", "radio": "recording_studio"}  # fmt: skip
 """What a studio is in a building called after what is done there."""
+_HOMES = frozenset("flat house detached_house townhouse villa bungalow cottage farmhouse cabin".split())
+"""Homes in which a studio is a room to work in, and no home of its own."""
+_PAINTING = frozenset({"artist", "painter", "easel", "painting", "sculptor"})
+"""Words that tell which art a studio is for."""
 _NAMED = {
     ("surgery", "dental_clinic"): "dental_room",
     ("surgery", "dental_surgery"): "dental_room",
@@ -215,6 +228,8 @@ _NAMED = {
     ("engine_bay", "fire_station"): "apparatus_bay",
     ("vehicle_bay", "fire_station"): "apparatus_bay",
     ("cell", "monastery"): "dorm_room",
+    ("press_room", "brewery"): "production_hall",
+    ("practice_room", "yoga_center"): "yoga_studio",
     ("bay", "bus_station"): "parking",
     ("studio", "radio_station"): "recording_studio",
     ("studio", "media_house"): "recording_studio",

@@ -29,6 +29,7 @@ def read_washing_fittings(reading: Reading, phrases: list[Phrase]) -> None:
     After "with" a fitting that has an article and is not the first is a room as well: "a bathroom with a shower, a
     toilet and a kitchen".
     """
+    _read_refused_baths(reading, phrases)
     for number, room in enumerate(phrases):
         if room.head != "room" or room.room_type not in _BATHROOMS:
             continue
@@ -49,6 +50,16 @@ def read_washing_fittings(reading: Reading, phrases: list[Phrase]) -> None:
             elif thing.head != "object":
                 break
             last = thing.last
+
+
+def _read_refused_baths(reading: Reading, phrases: list[Phrase]) -> None:
+    """Make a tub of "no bath" after a bathroom that is wanted: nobody refuses what was asked for just before."""
+    for number, phrase in enumerate(phrases):
+        refused = phrase.name == "bath" and phrase.head == "room" and not phrase.plural
+        refused = refused and (phrase.determiner == "no" or reading.word(phrase.first - 1) in ("no", "without", "not"))
+        before = any(other.room_type in _BATHROOMS and other.name != "bath" for other in phrases[:number])
+        if refused and before:
+            phrases[number] = replace(phrase, head="object", category="bathtub", room_type="")
 
 
 _WET = frozenset({"shower", "bath", "walk_in_shower"})

@@ -135,7 +135,8 @@ def corrected(tokens: list[Token], words: frozenset[str], known: frozenset[str] 
     for token in tokens:
         if token.text == "kit" and result and result[-1].text in ("drum", "aid", "tool", "repair", "first"):
             result.append(token)
-        elif token.text in _SHORT:
+            continue
+        if token.text in _SHORT:
             result.append(replace(token, text=_SHORT[token.text]))
             continue
         if token.text.endswith("room") and token.text not in words and token.text[:-4] in words:

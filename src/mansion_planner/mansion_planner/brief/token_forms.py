@@ -17,6 +17,8 @@ __all__ = [
     "metering",
     "open_decks",
     "owned_by_each",
+    "parts_before_of_which",
+    "to_the_ceiling",
     "upward_ranges",
     "workplaces",
 ]
@@ -437,3 +439,35 @@ _SPELT_DECADES = {"fifty": 50, "sixty": 60, "seventy": 70, "eighty": 80, "ninety
 def _style_of(year: int) -> str:
     """Return the word for the style of a decade."""
     return "retro" if year % 100 in (50, 60, 70) else "vintage"
+
+
+def to_the_ceiling(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with "floor-to-ceiling" as one word, which names no storey."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        words = tuple(token.text for token in tokens[index : index + 3])
+        if words == ("floor", "to", "ceiling"):
+            last = tokens[index + 2]
+            result.append(replace(tokens[index], text="ceiling-high", kind="word", end=last.end, plural=False))
+            index += 3
+        else:
+            result.append(tokens[index])
+            index += 1
+    return result
+
+
+_HAVING = frozenset({"have", "has", "get", "with"})
+
+
+def parts_before_of_which(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with "four bedrooms of which two have a balcony" as "... two of which have a balcony"."""
+    result = list(tokens)
+    for index in range(1, len(tokens) - 3):
+        of, which, number, verb = tokens[index : index + 4]
+        parts = (of.text, which.text, number.kind) == ("of", "which", "number") and verb.text in _HAVING
+        if parts and tokens[index - 1].kind == "word":
+            result[index] = replace(number, start=of.start)
+            result[index + 1] = replace(of, start=number.end, end=number.end)
+            result[index + 2] = replace(which, start=number.end, end=number.end)
+    return result

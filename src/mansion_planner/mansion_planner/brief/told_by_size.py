@@ -1,14 +1,31 @@
 """Read the one of several rooms that a brief tells by its rank: "two bedrooms; the larger bedroom", "the main one"."""
 
 from dataclasses import dataclass, replace
+from typing import Literal, TypeAlias
 
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["COMPARATIVES", "ToldBySize", "told_by_size"]
+__all__ = ["COMPARATIVES", "Rank", "ToldBySize", "rank_of", "told_by_size"]
 
 COMPARATIVES = frozenset("larger bigger smaller largest biggest smallest".split())
 """Adjectives that tell one of several rooms by its size."""
+
+Rank: TypeAlias = Literal["", "largest", "smallest"]
+"""What a room is to be among those of its kind."""
+
+
+def rank_of(word: str) -> Rank:
+    """Return the rank that an adjective says; empty for none.
+
+    Examples
+    --------
+    >>> [rank_of(word) for word in ("bigger", "smallest", "large")]
+    ['largest', 'smallest', '']
+    """
+    if word not in COMPARATIVES:
+        return ""
+    return "smallest" if word.startswith("small") else "largest"
 
 
 @dataclass(frozen=True)

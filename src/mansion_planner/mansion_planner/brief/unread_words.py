@@ -8,6 +8,7 @@ from mansion_planner.brief.persons import is_person
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, PREDICATES
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.rooms_of_staff import OFFICE_HOLDERS
 from mansion_planner.brief.sizes import is_size
 
 __all__ = ["leave_unread"]
@@ -116,7 +117,8 @@ _REQUESTS = frozenset(
 _LABELS = frozenset(
     """
     accommodation schedule programme program character idiom core capacity interior requirement note summary project
-    client circulation vertical scope object furniture furnishing pet
+    client sector retail residential commercial hospitality leisure healthcare education circulation vertical scope
+    object furniture furnishing pet
     """.split()
 )
 """What the lists and headings of a written brief are called."""
@@ -256,6 +258,10 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True
     if reading.word(index - 1) in _AFTER_LEAD.get(token.text, ()):
         return True
+    if token.text in _LOFTY and reading.word(index + 1) == "ceiling" and index + 1 in reading.taken:
+        return True  # "high ceilings of 4 m"
+    if reading.word(index - 1) == "the" and reading.word(index + 1) in OFFICE_HOLDERS:
+        return True  # "an office for the station chief"
     level = _on_one_level(reading) or not reading.facts.floors
     if token.text == "step" and reading.word(index - 1) in ("no", "without", "any") and level:
         return True  # "everything on one level, no steps"
@@ -277,6 +283,8 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True
     if reading.words(index - 2, index) in (("it", "is"), ("it", "was"), ("it", "get")):
         return not is_property(token.text) or reading.word(index + 1) in ("there", "outside", "here")
+    if token.text in ("plenty", "lots", "loads") and reading.word(index + 1) == "of":
+        return True  # "plenty of cupboards" are several
     if token.text == "set" and reading.word(index + 1) == "up":
         return True
     if token.text == "room" and reading.word(index - 1) in ("all", "every") and reading.word(index + 1) == "on":
@@ -287,7 +295,7 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True  # "a gross floor area in the region of 3,200 m2"
     if token.text in _BENEATH and reading.word(index - 1) in ("basement", "cellar") and index - 1 in reading.taken:
         return True
-    if token.text == "building" and any(mention.building and mention.last == index for mention in reading.mentions):
+    if token.text in _BUSINESSES and any(mention.building and mention.last == index for mention in reading.mentions):
         return True  # "a bakery building"
     told = reading.facts.building or reading.facts.building_span
     said = index - 1 in reading.taken or _has_measure(reading, index)
@@ -303,6 +311,9 @@ def _has_same_plan(reading: Reading, index: int) -> bool:
     return reading.word(index - 1) == "same" and bool(reading.facts.copies)
 
 
+_LOFTY = frozenset({"high", "tall", "generous", "lofty"})
+_BUSINESSES = frozenset({"building", "practice", "premises", "business"})
+"""Nouns that add nothing to the kind of building before them: "a vet's practice"."""
 _WHOSE_PLACE = frozenset({"old", "current", "present", "previous", "last", "other", "retirement", "new", "own", "our"})
 
 

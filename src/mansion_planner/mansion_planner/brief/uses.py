@@ -135,6 +135,8 @@ def read_storey_uses(
 def _kind(reading: Reading, phrase: Phrase) -> str:
     """Return the kind of building that a phrase says a storey is like; empty for what is no such use."""
     known = reading.knowledge.buildings.get(phrase.building)
+    if reading.words(phrase.begin, phrase.noun_end) == ("walk", "up"):
+        return ""  # "a second-floor walk-up: ..." tells where a flat is and that there is no lift
     if known is not None:
         return known.name if known.family != "home" else ""
     words = reading.words(phrase.begin, phrase.noun_end)

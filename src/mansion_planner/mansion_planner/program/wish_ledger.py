@@ -6,7 +6,8 @@ from typing import Final
 import msgspec
 
 from mansion_knowledge import KnowledgeBase
-from mansion_knowledge.stand_ins import answers_when_told, stands_in
+from mansion_knowledge.furnished_as import furnished_as
+from mansion_knowledge.stand_ins import answers_when_told, is_for_animals, stands_in
 from mansion_language import singular
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
@@ -17,6 +18,7 @@ from mansion_planner.brief.furniture_words import own_furniture_of
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.similarity import told_room_type
 from mansion_planner.brief.sizes import size_bound
+from mansion_planner.brief.told_by_size import rank_of
 from mansion_planner.program.allocation import MANY
 from mansion_planner.program.building_size import called_bound
 from mansion_planner.program.decisions import Decisions
@@ -76,15 +78,31 @@ def _shared_out(
         storeys = dict.fromkeys(storey.index for storey, _ in matching) if fact.each else ()
         groups = [[entry for entry in matching if entry[0].index == index] for index in storeys]
         groups = groups or [matching or rooms]
+        alike = _alike(fact, groups[0]) if len(groups) == 1 else []
+        if alike:
+            return list(zip(alike, _shares(count, len(alike))))
         chosen = [max(group, key=lambda entry: _likelihood(fact, entry)) for group in groups]
         others = [entry for group in groups for entry in group if entry not in chosen] if fact.most else []
         return [*((entry, count) for entry in chosen), *((entry, 0) for entry in others)]
     if fact.some and fact.some <= len(matching):
-        return [(entry, -(-count // fact.some)) for entry in matching[: fact.some]]
+        first = fact.others if fact.others + fact.some <= len(matching) else 0
+        return [(entry, -(-count // fact.some)) for entry in matching[first : first + fact.some]]
     if fact.each or not fact.exact or count < len(matching):
         return [(entry, count if fact.each else -(-count // len(matching))) for entry in matching]
-    shares = [count // len(matching) + (number < count % len(matching)) for number in range(len(matching))]
-    return list(zip(matching, shares))
+    return list(zip(matching, _shares(count, len(matching))))
+
+
+def _shares(count: int, places: int) -> list[int]:
+    """Return a number shared out over some places, the first of them with one more where it does not go evenly."""
+    return [count // places + (number < count % places) for number in range(places)]
+
+
+def _alike(fact: ObjectFact, rooms: Sequence[tuple[Storey, PlannedRoom]]) -> list[tuple[Storey, PlannedRoom]]:
+    """Return the rooms that share many beds in no room of the brief's: all that have some as a rule."""
+    if not fact.category.endswith("bed") or (fact.count or 0) < MANY:
+        return []
+    found = [entry for entry in rooms if usually_has(entry[1].kind.name, fact.category)]
+    return found if 1 < len(found) <= (fact.count or 0) else []
 
 
 def _hub_of(storey: Storey) -> PlannedRoom:
@@ -170,8 +188,12 @@ _AS_NAMED = {"bedroom": ("cabin", "berth", "chamber"), "private_office": ("offic
 """Last words of names for which a room type is what they say, whoever uses the room."""
 
 
-def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase, family: str) -> str:
+def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase, decisions: Decisions) -> str:
     """Say what is planned in the place of a room of which nothing is known, or that is another thing."""
+    family = decisions.building.family
+    furnished = furnished_as(room.room_type, decisions.building.name, room.name, ())
+    if is_for_animals(room.room_type, room.name) and furnished == room.room_type:
+        return f"planned and furnished like {in_words(room.room_type)}"
     if stands_in("rooms", room.room_type, room.name, family):
         return f"planned and furnished like {in_words(room.room_type)}"
     if "accessible" in room.name.split("_") and "accessible" not in room.room_type:
@@ -332,7 +354,15 @@ class _Ledger:
         whole = room.area is not None and is_whole(room, self.knowledge)
         area, limit = self._area_of(room)
         name = self._called(room)
-        value = WishValue(name=name, type=room.room_type, count=room.count, area=area, whole=whole, limit=limit)
+        value = WishValue(
+            name=name,
+            type=room.room_type,
+            count=room.count,
+            area=area,
+            whole=whole,
+            limit=limit,
+            rank=rank_of(room.name.partition("_")[0]),
+        )
         self.add("room", room.span, value, Scope(floors=self.floors(room.floors), each=room.each), reason=reason)
         if room.unit:
             self._unit(room)
@@ -347,7 +377,7 @@ class _Ledger:
             self.add("room", child.span, value, scope, reason=reason)
 
     def _stand_in(self, room: RoomFact) -> str:
-        return _stand_in_of(room, self.knowledge, self.decisions.building.family)
+        return _stand_in_of(room, self.knowledge, self.decisions)
 
     def _called(self, room: RoomFact) -> str:
         """Return a room's name as the brief has it, also where it is the hall that the building is there for."""
@@ -426,7 +456,7 @@ class _Ledger:
         called = wanted.room in {*names, *titles} or any(name and wanted.room.endswith(f"_{name}") for name in names)
         if called and wanted.room not in stated and not usual:
             return Scope(floors=floors, each=wanted.each)
-        return Scope(floors=floors, room=wanted.room, room_type=wanted.room_type, each=wanted.each)
+        return Scope(floors=floors, room=wanted.room, room_type=wanted.room_type, each=wanted.each, some=wanted.some)
 
 
 _BEDS: Final = {
