@@ -35,7 +35,7 @@ def storey_headings(tokens: list[Token], floor_words: AbstractSet[str]) -> list[
     found = _rooms_each(_one_and_another(tokens, floor_words), floor_words)
     found = _numbers_in_a_row(_split_decimals(found, floor_words), floor_words)
     found = _by_bracket(found, floor_words)
-    found = _set_apart(found, floor_words)
+    found = _set_apart(_without_uses(found, floor_words), floor_words)
     return _with_colons(_by_ordinals(found, floor_words), floor_words)
 
 
@@ -183,6 +183,20 @@ def _titled(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> i
     placed = place.kind == "ordinal" or place.text in _SIDES
     bracketed = _text(tokens, at + 1) == "(" and placed and _text(tokens, end) == ")"
     return at if bracketed and _text(tokens, end + 1) in _COLONS else 0
+
+
+def _without_uses(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Read "L2-L4: wards, each level with ten rooms" without the wards: the rooms are what the storeys hold."""
+    for index, token in enumerate(tokens[:-5]):
+        noun = index + 1 + (tokens[index + 1].kind == "word" and tokens[index + 2].kind == "word")
+        used = token.text == ":" and tokens[noun].kind == "word" and tokens[noun].plural
+        if not used or _text(tokens, noun + 1) != "," or _text(tokens, noun + 2) not in ("each", "every"):
+            continue
+        storey = _text(tokens, noun + 3) in floor_words and _text(tokens, noun + 4) in ("with", "has", "having")
+        headed = any(t.kind == "level" or t.text in floor_words for t in tokens[max(index - 5, 0) : index])
+        if storey and headed:
+            return [*tokens[: index + 1], *_without_uses(tokens[noun + 5 :], floor_words)]
+    return tokens
 
 
 def _set_apart(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
