@@ -12,6 +12,7 @@ _FURTHER: Final = {
     "bathroom": frozenset({"ensuite_bathroom"}),
     "gym": frozenset({"home_gym"}),
     "library": frozenset({"library_room"}),
+    "corridor": frozenset({"hallway"}),
 }
 """Types that people also mean by the name of one, beyond those that count as it."""
 

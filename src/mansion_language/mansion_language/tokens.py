@@ -55,6 +55,7 @@ class Token:
 _TOKEN = re.compile(
     r"(?P<blank>[^\S\n]++)"
     r"|(?P<ordinal>\d++(?=(?:st|nd|rd|th)(?![a-z]))(?:st|nd|rd|th))"
+    r"|(?P<without>w/o(?![a-z]))"
     r"|(?P<level>(?:l|lvl|f)[ .]?\d{1,3}(?![\w.,]*\d)(?![a-z])|\d{1,3}+f(?![a-z\d]))"
     r"|(?P<compound>[23]d(?![a-z\d])|[a-z]&[a-z](?![a-z]))"
     r"|(?P<number>\d{1,3}(?:[ ,.'’]\d{3})++(?!\d)|\d++(?:[.,]\d++)?+)(?P<thousand>k(?=[ ]?(?:m2|m²|sq|ft)))?"
@@ -159,6 +160,8 @@ def _token(match: re.Match[str], text: str, *, spaced: bool) -> Token:
         return Token("unit", next(unit for unit in AREA if match[unit]), start, end, spaced=spaced)
     if match["length"]:
         return Token("unit", next(u for u in ("cm", "m", "ft") if match[u]), start, end, spaced=spaced)
+    if match["without"]:
+        return Token("word", "without", start, end, spaced=spaced)
     if match["compound"]:
         return Token("word", match["compound"], start, end, spaced=spaced, capital=text[start:end][:1].isupper())
     if match["word"]:

@@ -173,7 +173,7 @@ def test_furniture_that_only_tells_what_something_is_about_is_not_wanted(brief: 
     ("brief", "areas"),
     [
         ("Retirement home; 2 floors, 18 apartments per floor (1 bed, 40 m2), a restaurant.", [40.0, None]),
-        ("A courthouse with 2 courtrooms (one large 120 m2, one small 60), a lobby", [None, None]),
+        ("A courthouse with 2 courtrooms (one large 120 m2, one small 60), a lobby", [120.0, 60.0, None]),
     ],
 )
 def test_brackets_after_rooms_say_how_large_each_is(brief: str, areas: list[float | None]) -> None:

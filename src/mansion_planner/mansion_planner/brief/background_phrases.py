@@ -87,6 +87,9 @@ def _is_tried(reading: Reading, phrase: Phrase) -> bool:
     while reading.word(at) in ("the", "our", "a", "an", "some", "new"):
         at -= 1
     trial = phrase.noun_end - phrase.begin == 1 and reading.word(phrase.begin) in TRIALS
+    opens = reading.word(at) == "for" and reading.starts(at) and reading.word(phrase.begin - 1) in ("our", "my", "a")
+    if trial and opens and not phrase.counted and reading.word(phrase.last) in (",", "we", "i", "on"):
+        return True  # "For our study we need an apartment"
     if trial and not phrase.counted and reading.word(at) == "for" and reading.word(phrase.last) in ("of", "about"):
         return True  # "for the study of children"
     if phrase.name.rpartition("_")[2] == "class" and phrase.plural and not phrase.counted and reading.word(at) == "for":
@@ -365,6 +368,8 @@ def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
         return True
     if not (phrase.building or phrase.room_type) or phrase.counted:
         return False
+    if _is_near_the_whole(reading, phrases, number):
+        return True
     if _lies_elsewhere(reading, phrase):
         reading.take(phrase.last, away_end(reading, phrase.last + 1))
         return True
@@ -377,6 +382,26 @@ def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
         or (number == 1 and _is_shell(reading, phrases))
         or (number > 0 and bool(phrase.building) and _has_the_floor(reading, phrase))
     )
+
+
+def _is_near_the_whole(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether a phrase names what the whole building stands near: "the club is close to the station"."""
+    phrase = phrases[number]
+    if phrase.determiner not in ("the", "a", "an", "our", "") or phrase.plural or number == 0:
+        return False
+    at = _before(reading, phrase)
+    near = next((len(words) for words in _NEAR if reading.words(at - len(words) + 1, at + 1) == words), 0)
+    verb = at - near
+    verb -= near and reading.word(verb) in ("very", "quite", "right", "just", "so")
+    if not near or reading.word(verb) not in _STANDS | {"is", "be", "stay"}:
+        return False
+    subject = verb - 1 - (reading.word(verb - 1) in ("is", "should", "will", "shall"))
+    room = any(p.head == "room" and p.first <= subject < p.last for p in phrases[:number])
+    again = reading.word(subject - 1) in ("the", "our", "this") and reading.word(subject) in reading.words(0, _OPENING)
+    return reading.word(subject) in _SITES or (again and not room)
+
+
+_NEAR = (("near",), ("close", "to"), ("not", "far", "from"), ("next", "to"), ("opposite",), ("across", "from"), ("by",))
 
 
 def _is_parking_outside(reading: Reading, phrase: Phrase) -> bool:

@@ -55,7 +55,10 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
 
 
 def _counts_list(reading: Reading, phrases: list[Phrase], index: int) -> bool:
-    """Read "server halls, 2 each" and "offices on the mezzanine (5)" as so many rooms; whether it was so."""
+    """Read "server halls, 2 each", "offices on the mezzanine (5)" and "cells in the basement, 6." as so many rooms.
+
+    Returns whether it was so.
+    """
     before = [n for n, p in enumerate(phrases) if p.last <= index and p.head != "unknown"]
     room = phrases[before[-1]] if before else None
     if room is None or room.head not in ("room", "building") or room.counted or not (room.plural and room.room_type):
@@ -65,7 +68,8 @@ def _counts_list(reading: Reading, phrases: list[Phrase], index: int) -> bool:
     bracketed = reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and index - room.last <= _NEAR
     each = reading.word(index - 1) == "," and reading.word(index + 1) == "each" and room.last == index - 1
     each = each and (reading.breaks(index + 2) or reading.word(index + 2) == ",")
-    if not (bracketed or each):
+    behind = reading.word(index - 1) == "," and reading.breaks(index + 1) and 1 < index - room.last <= _NEAR
+    if not (bracketed or each or behind):
         return False
     phrases[before[-1]] = replace(room, count=int(reading.value(index)), counted=True)
     reading.take(index, index + 1 + each)
@@ -98,7 +102,7 @@ def read_counts_by_room(reading: Reading, phrases: list[Phrase]) -> None:
     for number, (phrase, of_each) in enumerate(itertools.pairwise(list(phrases))):
         lead = reading.words(phrase.last, of_each.begin)
         single = phrase.head == "room" and phrase.count == 1 and not phrase.plural and phrase.determiner != "the"
-        counted = [p for p in phrases[:number] if p.name == of_each.name and p.counted and (p.count or 0) > 1]
+        counted = _counted_alike(reading, phrases[:number], of_each)
         beside = not _BESIDE.isdisjoint(lead) and of_each.determiner in ("each", "every") and len(lead) < 5
         earlier = [n for n, p in enumerate(phrases[:number]) if p.name == phrase.name and p.plural and not p.counted]
         if single and beside and len(counted) == 1 and earlier:
@@ -109,7 +113,7 @@ def read_counts_by_room(reading: Reading, phrases: list[Phrase]) -> None:
             single
             and beside
             and len(counted) == 1
-            and phrase.determiner in ("a", "an", "one")
+            and phrase.determiner in ("a", "an", "one", "")
             and of_each.head == "room"
         ):
             phrases[number] = replace(phrase, count=counted[0].count, counted=True)
@@ -118,6 +122,18 @@ def read_counts_by_room(reading: Reading, phrases: list[Phrase]) -> None:
             continue
         if len(counted) == 1:
             phrases[number] = replace(phrase, count=counted[0].count, counted=True)
+
+
+def _counted_alike(reading: Reading, phrases: Sequence[Phrase], room: Phrase) -> list[Phrase]:
+    """Return the counted rooms that "each courtroom" means: those of its name, or "smaller courtrooms" near it."""
+    several = [p for p in phrases if p.counted and (p.count or 0) > 1]
+    named = [p for p in several if p.name == room.name]
+    sentence = reading.sentence[room.first]
+    near = [
+        p for p in several
+        if p.name.endswith(f"_{room.name}") and p.room_type == room.room_type and reading.sentence[p.first] == sentence
+    ]  # fmt: skip
+    return named or near
 
 
 _BESIDE = frozenset({"touching", "next", "beside", "adjoining", "adjacent", "attached", "behind", "by", "bordering"})

@@ -445,7 +445,9 @@ def read_completeness(reading: Reading, places: Sequence[Place], phrases: Sequen
             reading.facts.unread.append(reading.span(index, index + 2))
             reading.take(index, index + 2)
             continue
-        if _is_complete(reading, index, pair, placed=place is not None):
+        if _tells_number_of_rooms(reading, index):
+            last = index + 3
+        elif _is_complete(reading, index, pair, placed=place is not None):
             last = index + 2
             reading.take(last, last + 1)
             if reading.word(last) in ("except", "but", "than", "apart"):
@@ -473,10 +475,19 @@ def _is_complete(reading: Reading, index: int, pair: tuple[str, ...], *, placed:
     """Whether "nothing else", "the only other rooms", "no other spaces" stand at a token."""
     if pair in (("nothing", "else"), ("nothing", "besides")):
         return True
+    if pair == ("nothing", "more") and reading.breaks(index + 2):
+        return True
     if pair in (("only", "other"), ("no", "other")):
         return reading.word(index + 2) in ("room", "space")
     lead = reading.word(index - 1)
     return pair == ("nothing", "but") and (placed or lead in ("want", "need", "with", "", ".", "have"))
+
+
+def _tells_number_of_rooms(reading: Reading, index: int) -> bool:
+    """Whether "just 2 rooms:" stands at a token, before the list of them."""
+    told = reading.word(index) in ("just", "only") and reading.kind(index + 1) == "number"
+    rooms = reading.word(index + 2) == "room" and reading.word(index + 3) in (":", "-", "–", "=")
+    return told and rooms and reading.value(index + 1) > 1
 
 
 def _only_place(reading: Reading, places: Sequence[Place], index: int) -> Place | None:

@@ -123,11 +123,18 @@ class _Households:
         bare = not (unit.counted or unit.plural) and unit.determiner in ("", "the") and unit.name in GENERAL
         return bare and any(
             p.first < unit.first
-            and p.name.endswith(f"_{unit.name}")
+            and (p.name.endswith(f"_{unit.name}") or self._are_one_home(p, unit))
             and self.found.units.get(p.first) == []
             and self.reading.sentence[p.first] < self.reading.sentence[unit.first]
             for p in self.phrases
         )
+
+    def _are_one_home(self, named: Phrase, unit: Phrase) -> bool:
+        """Whether a heading tells of the only home that is named before: "a flat above. Shop: ... Home: ..."."""
+        one = named.count == 1 and not named.plural and named.name in GENERAL - {"unit", "room"}
+        homes = [p for p in self.phrases if p.first in self.found.units and p.name in GENERAL]
+        heads = unit.name in GENERAL - {"unit", "room"} and self.reading.starts(unit.first)
+        return one and heads and len(homes) == 2
 
     def _place_with_mention(self, unit: Phrase, owners: Sequence[int]) -> None:
         """Put flats on the storey that "Flat upstairs: ..." names between the flat and its rooms."""
@@ -167,9 +174,10 @@ class _Households:
                 or any(p.first <= index < p.last for p in self.phrases if p.first in self.found.units)
             ):
                 continue
-            if not (reading.starts(index) or reading.word(index - 1) in (",", ";", "and", ":", "-")):
+            if not (reading.starts(index) or reading.word(index - 1) in (",", ";", "and", ":", "-", "(")):
                 continue
             verb = next((i for i in range(index + 1, index + 5) if reading.word(i) in _VERBS), None)
+            verb = index + 1 if reading.word(index + 1) == ":" and token.text in ("each", "all", "both") else verb
             if verb is None or any(p.first < verb and p.last > index + 1 for p in self.phrases if p.head == "room"):
                 continue
             owners = self._last_units(index)

@@ -27,6 +27,9 @@ _AFTER_TOP = frozenset("with and there nothing only two one become we the sit co
 """Words that what is on the top storey follows: "on top there is a bar"."""
 
 
+_PLACED_BELOW = frozenset("under below beneath of right directly just".split())
+"""What tells more of a place at the very top: "at the very top under the lamp"."""
+
 _AFTER_GROUND = frozenset("and there has is are also we should must".split())
 """Words that what is on the ground floor follows: "on the ground are a kitchen and a pantry"."""
 
@@ -187,7 +190,7 @@ class NamedStoreys:
             return [FloorRef("top")], index + 3
         ours = word == "loft" and reading.word(index - 1) in ("our", "my")  # a flat
         attic = word in ("attic", "loft") and (following == ":" or self._is_place(index)) and not ours
-        attic = attic or self._is_attic_storey(index)
+        attic = attic or self._is_attic_storey(index) or (not ours and self._is_attic_in_list(index))
         highest = word in ("uppermost", "topmost", "highest") and self._names_storey(index)
         if attic or highest or self._is_at_the_top(index):
             return [FloorRef("top")], index + 1
@@ -207,6 +210,18 @@ class NamedStoreys:
         return counted and (
             (opens and reading.word(index + 1) in HOLDING_ROOMS) or reading.word(index - 2) in ("in", "on")
         )
+
+    def _is_attic_in_list(self, index: int) -> bool:
+        """Whether an attic follows storeys of the same form: "first floor with four bedrooms; attic with two"."""
+        reading = self.reading
+        if reading.word(index) not in ("attic", "loft") or not reading.starts(index):
+            return False
+        verb = reading.word(index + 1)
+        alike = any(
+            token.text in FLOOR_WORDS and reading.word(at + 1) == verb and at in reading.taken
+            for at, token in enumerate(reading.tokens[:index])
+        )
+        return verb in ("with", "has", "have") and alike
 
     def _is_roof(self, index: int) -> bool:
         """Whether a roof stands for the top storey: "under the roof", "on the rooftop"."""
@@ -251,8 +266,10 @@ class NamedStoreys:
     def _is_at_the_top(self, index: int) -> bool:
         """Whether "top" is where something is: "at the top a bar"."""
         reading = self.reading
-        placed = reading.words(index - 2, index + 1) == ("at", "the", "top") and self.has_floors
-        return placed and (reading.word(index + 1) in ("a", "an") or self._counts(index + 1))
+        very = reading.word(index - 1) == "very"
+        placed = reading.words(index - 2 - very, index - very) == ("at", "the") and reading.word(index) == "top"
+        follows = reading.word(index + 1) in ("a", "an") or self._counts(index + 1)
+        return placed and self.has_floors and (follows or (very and reading.word(index + 1) in _PLACED_BELOW))
 
     def _leads_list(self, index: int) -> bool:
         """Whether "above" leads the rooms of the storey above: "a garage and a shop, above two flats"."""

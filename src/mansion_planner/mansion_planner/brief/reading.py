@@ -19,10 +19,13 @@ from mansion_planner.brief.excepted_storeys import excepted_storeys
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.glosses import without_glosses
+from mansion_planner.brief.groups_of_people import groups_of_people
 from mansion_planner.brief.labelled_rooms import kinds_of_rooms, labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.masters_bathroom import masters_bathroom
 from mansion_planner.brief.mezzanines import mezzanines
+from mansion_planner.brief.missing_units import with_units
+from mansion_planner.brief.numbered_units import numbered_units
 from mansion_planner.brief.numerals_in_turn import numerals_in_turn
 from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.relative_areas import relative_areas
@@ -36,6 +39,7 @@ from mansion_planner.brief.spelling import corrected, without_slips
 from mansion_planner.brief.spoken_turns import spoken_turns
 from mansion_planner.brief.stacked_flats import stacked_flats
 from mansion_planner.brief.storey_forms import added_storeys, storey_forms, storey_tables
+from mansion_planner.brief.storey_headings import storey_headings
 from mansion_planner.brief.storeys_by_use import storeys_by_use
 from mansion_planner.brief.storeys_in_full import storeys_in_full
 from mansion_planner.brief.storeys_in_order import storeys_in_order
@@ -236,7 +240,7 @@ class Reading:
 def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], bool] = lambda: False) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
-    tokens = without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à"))))
+    tokens = with_units(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à")))))
     tokens = parts_before_of_which(to_the_ceiling(tokens))
     tokens = chosen(without_conversions(without_recalled_wishes(without_glosses(tokens))))
     tokens = spoken_turns(kinds_of_rooms(rooms_by_sex(shortened_nouns(tokens))))
@@ -244,12 +248,14 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = labelled_rooms(
         paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS))))
     )
+    tokens = groups_of_people(numbered_units(tokens, lexicon.heads))
     tokens = storey_tables(abbreviated_storeys(text, decades(equal_rooms(tokens, FLOOR_WORDS))), FLOOR_WORDS)
     tokens = rooms_by_number(added_storeys(in_digits(tokens), FLOOR_WORDS))
     tokens = counted_parts(numerals_in_turn(tokens, FLOOR_WORDS))
     tokens = excepted_storeys(storeys_in_full(tokens, FLOOR_WORDS), FLOOR_WORDS)
     tokens = unit_totals(storeys_in_order(tokens, FLOOR_WORDS), FLOOR_WORDS)
-    tokens = flat_types(count_forms(storeys_by_use(mezzanines(storey_forms(text, tokens), FLOOR_WORDS), FLOOR_WORDS)))
+    tokens = mezzanines(storey_headings(storey_forms(text, tokens), FLOOR_WORDS), FLOOR_WORDS)
+    tokens = flat_types(count_forms(storeys_by_use(tokens, FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(
         foreign_storeys(open_decks(kinds_of_area(gross_areas(areas_behind_capacities(metering(tokens))))))

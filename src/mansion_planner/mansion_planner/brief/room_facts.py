@@ -215,6 +215,8 @@ class RoomStatements:
             ] == [(r.kind, r.first, r.last) for r in fact.floors]:
                 if fact.area and not other.area:
                     self.reading.facts.rooms[number] = replace(other, area=fact.area)
+                if fact.suite and not other.suite:  # "a shop and flat. Flat upstairs: a living room, a bedroom"
+                    self.reading.facts.rooms[number] = replace(other, suite=fact.suite, unit=fact.unit)
                 return True
         return False
 

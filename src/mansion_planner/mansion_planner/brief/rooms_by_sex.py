@@ -47,7 +47,9 @@ def rooms_by_sex(tokens: list[Token]) -> list[Token]:
             index += 1
         elif _is_led(tokens, index):
             user = tokens[index + 1]
-            result += [replace(user, text=_SEXES[user.text], kind="word"), token]
+            kind = [result.pop()] if token.text == "room" else []
+            noun = [replace(token, text="changing"), _room_behind(token)] if token.text == "dressing" else [token]
+            result += [replace(user, text=_SEXES[user.text], kind="word"), *kind, *noun]
             index += 2
         else:
             result.append(token)
@@ -107,11 +109,19 @@ def _noun_of(token: Token) -> list[Token]:
     return [token, Token("word", "room", token.end, token.end, plural=True)]
 
 
+def _room_behind(token: Token) -> Token:
+    return Token("word", "room", token.end, token.end)
+
+
 def _is_led(tokens: list[Token], index: int) -> bool:
-    """Whether those who use a room stand behind its noun and the entry of a list ends: "WC f, WC m"."""
-    if tokens[index].text not in _ROOMS or tokens[index].plural or _text(tokens, index + 1) not in _SEXES:
+    """Whether those who use a room stand behind its noun and the entry of a list ends: "WC f, shower room ladies"."""
+    room = tokens[index].text == "room" and _text(tokens, index - 1) in _KINDS
+    if not (room or tokens[index].text in _ROOMS | {"dressing"}) or tokens[index].plural:
         return False
-    return _text(tokens, index + 2) in _ENDS and _text(tokens, index - 1) in _ENDS | {":", "and", "+", "&", "staff"}
+    if _text(tokens, index + 1) not in _SEXES:
+        return False
+    lead = _text(tokens, index - 1 - room)
+    return _text(tokens, index + 2) in _ENDS and lead in _ENDS | {":", "and", "+", "&", "staff"}
 
 
 def _included(tokens: list[Token], index: int) -> list[Token] | None:

@@ -62,9 +62,10 @@ def single_flats(tokens: list[Token]) -> list[Token]:
     begin = 0
     while begin < len(tokens) and tokens[begin].text in _BEFORE:
         begin += 1
-    if begin + 2 >= len(tokens) or tokens[begin].text not in ("a", "an", "one", "my", "our"):
+    if begin + 2 >= len(tokens):
         return tokens
-    at = begin + 1
+    led = tokens[begin].text in ("a", "an", "one", "my", "our")
+    at = begin + led
     while at < len(tokens) and tokens[at].kind == "word" and tokens[at].text not in _WHERE | _FLATS | NAME_ENDS:
         at += 1  # "a small ground-floor flat"
     end = at
@@ -72,7 +73,27 @@ def single_flats(tokens: list[Token]) -> list[Token]:
         end += 1
     single = end < len(tokens) and tokens[end].text in _FLATS and not tokens[end].plural
     alone = _OTHERS.isdisjoint(token.text for token in tokens[end + 1 :])
-    return [*tokens[:at], *tokens[end:]] if single and alone and end > at else tokens
+    if not single or not alone:
+        return tokens
+    if end > at:
+        return [*tokens[:at], *tokens[end:]] if led else tokens
+    behind = _storey_behind(tokens, end + 1)
+    other_storeys = any(token.text in _ELSEWHERE or token.kind == "level" for token in tokens[behind:])
+    return [*tokens[: end + 1], *tokens[behind:]] if behind and not other_storeys else tokens
+
+
+def _storey_behind(tokens: list[Token], index: int) -> int:
+    """Return where the storey of a flat ends: "flat on the third floor", "flat, third floor walk-up"; or 0."""
+    at = index
+    while at < len(tokens) and tokens[at].text in (",", "on", "at", "in", "the", "(") and at - index < 3:
+        at += 1
+    placed = at > index and at + 1 < len(tokens) and (tokens[at].kind == "ordinal" or tokens[at].text in _WHERE)
+    if not placed or tokens[at + 1].text not in _FLOORS or tokens[at + 1].plural:
+        return 0
+    end = at + 2
+    end += 2 * ([token.text for token in tokens[end : end + 2]] == ["walk", "up"])
+    end += end < len(tokens) and tokens[end].text == ")"
+    return end if end == len(tokens) or tokens[end].text in (",", ".", ":", ";", "\n", "with") else 0
 
 
 _UNITS: Final = frozenset({"unit", "premises"})

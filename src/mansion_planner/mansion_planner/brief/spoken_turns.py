@@ -31,7 +31,7 @@ def spoken_turns(tokens: list[Token]) -> list[Token]:
     say, 45 m2" becomes "of 45 m2", "a reading corner as a separate room of 18 m2" and "a bedroom too, 7 m2" lose the
     words that only say that there is such a room.
     """
-    tokens = _denied_again(_headed_storeys(_with_size_behind(tokens)))
+    tokens = _denied_again(_headed_storeys(_with_size_behind(_living_above(tokens))))
     result: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -63,6 +63,33 @@ def _with_size_behind(tokens: list[Token]) -> list[Token]:
     if not 1 < end <= _TITLE or not (area and listed):
         return tokens
     return [*tokens[:end], replace(tokens[end], text=","), *tokens[end + 1 :]]
+
+
+_BUSINESSES = frozenset(
+    """
+    shop store bakery bakehouse butcher cafe salon barber studio workshop pub bar inn tavern restaurant practice surgery
+    garage forge smithy gallery kiosk pharmacy laundrette
+    """.split()
+)
+_HOMES = frozenset({"flat", "apartment", "maisonette", "house"})
+_WHOSE = frozenset("the a an my our his her their we i he she they family who and where while owner".split())
+
+
+def _living_above(tokens: list[Token]) -> list[Token]:
+    """Return the tokens of "a barber's shop below, the barber lives above" with a flat above."""
+    texts = [token.text for token in tokens]
+    for index in range(1, len(tokens) - 1):
+        if texts[index] not in ("live", "life") or texts[index + 1] not in ("above", "upstairs", "upstair", "overhead"):
+            continue
+        subject = index - (tokens[index - 1].kind == "word" and texts[index - 1] not in _WHOSE)
+        while subject > 0 and texts[subject - 1] in _WHOSE:
+            subject -= 1
+        business = not _BUSINESSES.isdisjoint(texts[:subject]) and _HOMES.isdisjoint(texts)
+        if subject < index and business:
+            article = replace(tokens[subject], text="a", kind="word", plural=False)
+            flat = replace(tokens[index], text="flat", plural=False)
+            return [*tokens[:subject], article, flat, *tokens[index + 1 :]]
+    return tokens
 
 
 _AGAIN = (

@@ -116,12 +116,47 @@ def _by_storey(tokens: list[Token]) -> list[Token]:
             floor = replace(tokens[index + 1], text="floor")
             lead = [] if opens else [replace(token, text="on"), replace(token, text="the")]
             result += [*lead, replace(token, text=_PLACES[token.text]), floor]
-            result += [replace(heads[0], kind="mark", text=":")] if opens else []
+            if opens:
+                held = noun != "one" and heads[0].text == ":" and _lists_rooms(tokens, index + 3)
+                result.append(replace(heads[0], kind="mark", text=":"))
+                result += _one_flat(tokens[index + 1]) if held else []
             index += 2 + opens
+        elif _is_size_of_each(tokens, index):
+            result += [*tokens[index : index + 2], Token("word", "per", token.start, token.start)]
+            result.append(Token("word", "floor", token.start, tokens[index + 2].end))
+            index += 3
         else:
             result.append(token)
             index += 1
     return result
+
+
+def _lists_rooms(tokens: list[Token], index: int) -> bool:
+    """Whether what a flat holds is listed at a token, and not what it is: "one bedroom, bath, kitchen"."""
+    for token in tokens[index : index + _LONGEST_ENTRY]:
+        if token.text in (",", "and"):
+            return True
+        if token.text in _ENDS:
+            return False
+    return False
+
+
+_LONGEST_ENTRY = 8
+_ENDS = frozenset({".", ";", "\n", ""})
+
+
+def _one_flat(noun: Token) -> list[Token]:
+    """Return the tokens of "one flat with", where `noun` stands for the flat."""
+    number = Token("number", "one", noun.start, noun.start, 1.0)
+    return [number, replace(noun, text="flat", plural=False), Token("word", "with", noun.end, noun.end)]
+
+
+def _is_size_of_each(tokens: list[Token], index: int) -> bool:
+    """Whether a sentence is no more than the area of each flat: "75 m2 each."."""
+    texts = [token.text for token in tokens[index + 1 : index + 4]]
+    alone = index == 0 or tokens[index - 1].text in _ENDS
+    measured = tokens[index].kind == "number" and texts[:1] in (["m2"], ["ft2"]) and texts[1:2] == ["each"]
+    return alone and measured and (len(texts) < 3 or texts[2] in _ENDS)
 
 
 def _floors(number: Token, noun: Token, *, alike: bool) -> list[Token]:

@@ -193,7 +193,7 @@ class _Walk:
                 left = []
             elif self._trails(place, left):
                 self._give_all(self._claimed(place, left, opened=opened), place)
-                self._give_all(self._in_brackets_after(place, rest), place)
+                self._give_all(self._in_brackets_after(place, rest) or self._held_with(place, rest), place)
                 left = []
                 self.trailing = place if not opened and place.refs[0].kind in ("number", "upper", "top") else None
                 if self._goes_on(place):
@@ -247,6 +247,11 @@ class _Walk:
         while not reading.breaks(end) and reading.word(end) != ")":
             end += 1
         return [number for number in rest if self.phrases[number].last <= end]
+
+    def _held_with(self, place: Place, rest: list[int]) -> list[int]:
+        """Return what "with" tells of a room behind its storey: "an office on the ground floor with two rooms"."""
+        led = place.led and self.reading.word(place.last) == "with" and rest
+        return self._joined(rest) if led and self.phrases[rest[0]].first <= place.last + 2 else []
 
     def _puts_it(self, place: Place) -> bool:
         """Whether a room named before is put somewhere: "the laundry makes noise, so put it on the ground floor"."""

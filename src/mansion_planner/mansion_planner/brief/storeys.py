@@ -158,6 +158,8 @@ def _after_remark(reading: Reading, index: int) -> int:
     while not reading.breaks(last) and (
         reading.word(last) in _REMARKS or (reading.kind(last) == "number" and _is_bracketed(reading, index, last))
     ):
+        if reading.word(last) == ")" and reading.word(last + 1) == "," and not _is_bracketed(reading, index, last):
+            return index  # "on two floors (4 per floor), each: a bedroom"
         last += 1
     return last if reading.word(last) in (":", "=") else index
 

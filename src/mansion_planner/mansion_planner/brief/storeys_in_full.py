@@ -142,7 +142,7 @@ def _of_each_floor(tokens: list[Token], floor_words: AbstractSet[str]) -> list[T
         near = range(max(index - _SIZED, 1), index)
         storeys = max((at for at in near if tokens[at].text in floor_words and tokens[at].plural), default=0)
         between = {tokens[at].text for at in range(storeys + 1, index) if tokens[at].kind == "word"}
-        if storeys and between <= _OF_SIZE:
+        if storeys and between <= _OF_SIZE and not _holds_units(tokens, storeys):
             result.append(Token("word", "floor", token.end, token.end))
     return result
 
@@ -150,6 +150,19 @@ def _of_each_floor(tokens: list[Token], floor_words: AbstractSet[str]) -> list[T
 _SIZED = 8
 """Tokens between storeys and what each of them has, at most."""
 _OF_SIZE = frozenset({"of", "with", "about", "around", "approx", "each", "at", "the", "same", "identical", "gross"})
+
+
+_UNITS = frozenset({"flat", "apartment", "suite", "maisonette", "studio", "unit", "townhouse", "home"})
+
+
+def _holds_units(tokens: list[Token], storeys: int) -> bool:
+    """Whether several units lie on the storeys that a token names: "8 flats on two floors, each: a bedroom"."""
+    at = storeys - 1
+    while at > 0 and tokens[at].text not in (".", ";", "\n", ":"):
+        if tokens[at].text in _UNITS and tokens[at].plural:
+            return any(token.text in ("on", "over", "across") for token in tokens[at:storeys])
+        at -= 1
+    return False
 
 
 def _speaks_of_upper_storeys(tokens: list[Token], index: int) -> bool:

@@ -107,6 +107,7 @@ class UnitRooms:
             if rooms and self._is_elsewhere(room, placed=placed):
                 break
             closed = closed or (joined and bool(rooms))
+            room = self._for_each_bedroom(room, rooms)
             singled = bool(rooms) and self._singles_out(index, begin)
             if singled and room.room_type == rooms[-1].room_type:
                 rooms[-1] = replace(rooms[-1], count=(rooms[-1].count or 0) + (room.count or 0))
@@ -125,6 +126,14 @@ class UnitRooms:
             return [], start
         self.reading.take(start, index)
         return rooms, index
+
+    def _for_each_bedroom(self, room: Phrase, rooms: list[Phrase]) -> Phrase:
+        """Return an ensuite as many times as there are bedrooms before it: "3 bedrooms with ensuite"."""
+        if room.room_type != "ensuite_bathroom" or room.counted or not rooms:
+            return room
+        owner, led = rooms[-1], self.reading.word(room.first - 1) == "with"
+        own = led and owner.counted and owner.room_type.endswith("bedroom") and owner.last == room.first - 1
+        return replace(room, count=owner.count, counted=True) if own else room
 
     def _kind(self, room: Phrase) -> str:
         """Return the type of a room in a unit; the hall of "a 3BHK flat: hall, kitchen" is its living room."""

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from mansion_planner.brief.facts import FloorRef, RoomFact
+from mansion_planner.brief.facts import FloorRef, RoomFact, UseFact
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Place, Reading
 from mansion_planner.brief.storey_attachment import Attachment, attach_storeys
@@ -88,9 +88,17 @@ _FEWEST = 3
 
 
 def give_rooms_to_flat(reading: Reading) -> None:
-    """Make what is told of the storey of a building's only flat its rooms, where it is a building to work in."""
+    """Make what is told of the storey of a building's only flat its rooms, where it is a building to work in.
+
+    A flat of which the brief tells the rooms of several storeys is what these storeys are for.
+    """
     facts = reading.facts
     flats = [n for n, room in enumerate(facts.rooms) if room.unit and room.count == 1]
+    if len(flats) == 1 and not facts.rooms[flats[0]].suite and _on_several_storeys(facts.rooms, facts.rooms[flats[0]]):
+        flat = facts.rooms.pop(flats[0])
+        refs = tuple(dict.fromkeys(ref for room in facts.rooms if _is_dwelt_in(room) for ref in room.floors))
+        facts.uses.append(UseFact("flat", _each_once(refs), flat.span))
+        return
     kind = facts.building[0][0] if facts.building else facts.building_like
     record = reading.knowledge.buildings.get(kind)
     if len(flats) != 1 or facts.rooms[flats[0]].suite or record is None or record.family == "home":
@@ -102,6 +110,25 @@ def give_rooms_to_flat(reading: Reading) -> None:
     suite = tuple(replace(facts.rooms[n], floors=(), each=False) for n in held)
     facts.rooms[flats[0]] = replace(flat, floors=facts.rooms[held[0]].floors, suite=suite)
     facts.rooms[:] = [room for n, room in enumerate(facts.rooms) if n not in held]
+
+
+def _is_dwelt_in(room: RoomFact) -> bool:
+    return room.room_type in _DWELT_IN and not room.unit and _is_above(room.floors)
+
+
+def _each_once(refs: tuple[FloorRef, ...]) -> tuple[FloorRef, ...]:
+    """Return references to storeys without those that mean one named before."""
+    return tuple({(ref.kind, ref.first, ref.last): ref for ref in reversed(refs)}.values())[::-1]
+
+
+def _on_several_storeys(rooms: list[RoomFact], flat: RoomFact) -> bool:
+    """Whether rooms to live in are told of two storeys or more, by their numbers, that the only flat may be on."""
+    held = [room for room in rooms if _is_dwelt_in(room) and room.floors[0].kind == "number"]
+    where = {room.floors[0].first for room in held}
+    inside = not flat.floors or all(
+        ref.kind == "upper" or any(ref.first <= storey <= ref.last for storey in where) for ref in flat.floors
+    )
+    return len(where) > 1 and len(held) >= _FEWEST and inside and any(room.room_type in _SLEEPING for room in held)
 
 
 def _rooms_of_storey(rooms: list[RoomFact], flat: RoomFact) -> list[int]:
