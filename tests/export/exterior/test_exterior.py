@@ -89,6 +89,8 @@ def test_a_path_leads_from_each_outer_door_to_the_edge_of_the_plot(storeys: list
 def test_a_view_without_ceilings_or_without_site_leaves_them_out(storeys: list[FloorScene]) -> None:
     assert of_group(building_models(storeys, site=False), "site") == []
     assert of_group(building_models(storeys, ceilings=False), "ceiling") == []
+    roofs = {node.id for node, _ in of_group(building_models(storeys, ceilings=False, roofs=True), "ceiling")}
+    assert roofs and all(name.endswith("/roof") or "/chimney_" in name for name in roofs)
 
 
 def test_a_lower_storey_has_a_roof_where_the_one_above_draws_back(storeys: list[FloorScene]) -> None:

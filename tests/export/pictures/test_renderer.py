@@ -4,6 +4,7 @@ import numpy as np
 
 from mansion_export.meshes.materials import named
 from mansion_export.meshes.solids import Box, boxes_surface
+from mansion_export.pictures.projecting import number_seen
 from mansion_export.pictures.renderer import Triangles, View, render
 
 GREY = np.array([0.6, 0.6, 0.6])
@@ -29,3 +30,10 @@ def test_the_floor_beside_a_wall_is_darker_than_in_the_open() -> None:
     floor = column[-60:-30]
     assert np.ptp(floor) <= 3
     assert column[:-100].min() < 0.7 * floor.mean()
+
+
+def test_the_triangles_that_are_seen_are_numbered_in_their_order() -> None:
+    index, glass = np.array([[7, -1], [2, 7]], dtype=np.int32), np.array([[-1, 4], [-1, -1]], dtype=np.int32)
+    assert number_seen(index, glass, 9).tolist() == [2, 4, 7]
+    assert index.tolist() == [[2, -1], [0, 2]]
+    assert glass.tolist() == [[-1, 1], [-1, -1]]
