@@ -221,3 +221,8 @@ def test_what_is_wanted_nowhere_is_wanted_in_no_room(text: str, room: str) -> No
 def test_racks_of_a_server_room_are_server_racks() -> None:
     wanted = read_brief("A data centre with two data halls of 24 racks each", default_knowledge()).objects
     assert [entry.category for entry in wanted] == ["server_rack"]
+
+
+def test_what_rooms_are_of_each_of_them_has() -> None:
+    wanted = read_brief("A hostel with six dormitories of eight beds and a lounge.", default_knowledge()).objects
+    assert [(entry.category, entry.count, entry.each) for entry in wanted] == [("bed", 8, True)]
