@@ -317,3 +317,8 @@ def test_people_who_sleep_in_bunks_need_half_as_many_beds() -> None:
         ("bunk_bed", 3, True),
         ("bunk_bed", None, True),
     ]
+
+
+def test_what_rooms_are_of_each_of_them_has() -> None:
+    wanted = read_brief("A hostel with six dormitories of eight beds and a lounge.", default_knowledge()).objects
+    assert [(entry.category, entry.count, entry.each) for entry in wanted] == [("bed", 8, True)]

@@ -164,3 +164,16 @@ def test_what_belongs_to_an_entry_of_a_list_is_not_on_each_storey_of_the_next() 
     rooms = {room.name: room for room in read_brief(brief, default_knowledge()).rooms}
     assert not rooms["kitchen"].floors
     assert rooms["toilet"].each
+
+
+def test_what_a_list_names_before_it_goes_on_upstairs_lies_below() -> None:
+    brief = "A villa with a living room, a study, a guest bedroom, and upstairs three bedrooms and a bathroom."
+    assert [storeys_of(brief, name) for name in ("study", "guest_bedroom")] == [{1: 1}] * 2
+    assert storeys_of(brief, "bedroom") == {2: 3}
+
+
+def test_a_room_for_people_lies_on_the_storey_that_stands_behind_them() -> None:
+    brief = "A fire station with a garage for two trucks and sleeping quarters for eight firefighters upstairs."
+    rooms = {room.name: room for room in read_brief(brief, default_knowledge()).rooms}
+    assert [ref.kind for ref in rooms["sleeping_quarter"].floors] == ["upper"]
+    assert not rooms["garage"].floors

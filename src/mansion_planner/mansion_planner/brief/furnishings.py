@@ -24,6 +24,8 @@ _INTO = frozenset(
     in into inside within for per at to of
     """.split()
 )
+_OF = ("of",)
+"""All that stands between rooms and what each of them has: "six dormitories of eight beds"."""
 _EACH = frozenset({"each", "every", "all", "both", "any", "per", "either"})
 
 
@@ -436,7 +438,7 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
     if ("each", "of") in itertools.pairwise(ahead):
         return before, True  # "in each of the five bedrooms a wardrobe"
     each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or _is_of_each(reading, phrases, number)
-    return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
+    return before, each or ((phrases[before].count or 2) > 1 and ("with" in gap or gap == _OF))
 
 
 def _is_shared_out(thing: Phrase, rooms: Phrase) -> bool:

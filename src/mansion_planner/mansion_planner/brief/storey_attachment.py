@@ -201,8 +201,23 @@ class _Walk:
                 elif not opened:
                     scope = self.heading
             else:
+                if scope is None and self._goes_up(place):
+                    self._stay_below(place, left)
                 scope, opened, left = place, True, []
         return scope if opened else None
+
+    def _goes_up(self, place: Place) -> bool:
+        """Whether a list goes on upstairs: "a living room, a study, and upstairs three bedrooms"."""
+        one = place.last - place.first == 1 and _UP_AND_DOWN.get(self.reading.word(place.first)) == "up"
+        return one and self.reading.word(place.first - 1) == "and"
+
+    def _stay_below(self, place: Place, numbers: list[int]) -> None:
+        """Put what a list names before it goes on upstairs on the ground floor, bedrooms of a number left aside."""
+        below = replace(place, refs=(FloorRef("number", 1, 1, place.refs[0].span),))
+        for number in numbers:
+            phrase = self.phrases[number]
+            if phrase.head == "room" and phrase.room_type and not (phrase.plural and phrase.counted):
+                self._give(number, below, trailing=False)
 
     def _opens_sentence(self, place: Place, left: list[int]) -> bool:
         """Whether a sentence is about a storey: "Basement with laundry, a storage room and a gym."."""
@@ -415,7 +430,7 @@ class _Walk:
             return left[-1:] if self._asyndetic(left) and (below or not place.led) else left
         if self._is_contrasted(place):
             return left
-        if len(left) > 1 and self._is_bracketed(left[-1]):
+        if len(left) > 1 and (self._is_bracketed(left[-1]) or self._are_its_people(left)):
             return [left[-1], *self._claimed(place, left[:-1], opened=opened)]
         chosen = [left[-1]]
         joined = False
@@ -461,6 +476,11 @@ class _Walk:
     def _is_set_off(self, first: int, second: int) -> bool:
         """Whether a comma stands between two phrases."""
         return "," in self.reading.words(self.phrases[first].last, self.phrases[second].first)
+
+    def _are_its_people(self, left: list[int]) -> bool:
+        """Whether the last phrase is of those whom the one before is for: "quarters for eight firefighters"."""
+        room, people = self.phrases[left[-2]], self.phrases[left[-1]]
+        return people.head == "people" and self.reading.words(room.last, people.first) == ("for",)
 
     def _is_bracketed(self, number: int) -> bool:
         """Whether a phrase stands in a bracket behind another one: "the living room (with a fireplace)"."""

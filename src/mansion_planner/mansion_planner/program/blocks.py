@@ -420,7 +420,8 @@ def _lay_columns(host: PlannedRoom, width: float, depth: float, scale: float) ->
     placed: list[tuple[PlannedRoom, list[Box]]] = []
     wide = [sum(room.gross for room in column) * scale / depth for column in columns]
     least = [max(map(_least_across, column), default=0.0) for column in columns]
-    wide = widened([*wide, width - sum(wide)], [*least, _least_across(host)])[:2]
+    across = _least_across(host) if balcony is None else _lit_by(host.area * scale) + _LOGGIA[0]
+    wide = widened([*wide, width - sum(wide)], [*least, across])[:2]
     slab = (wide[0], 0.0, width - wide[1], depth)
     placed += [(host, [slab])] if balcony is None else _with_loggia(host, slab, balcony, balcony.gross * scale)
     for number, column in enumerate(columns):
@@ -435,8 +436,11 @@ def _lay_columns(host: PlannedRoom, width: float, depth: float, scale: float) ->
     return placed
 
 
-_BESIDE_LOGGIA = 2.2
-"""Least outer wall that a balcony leaves to the room in whose corner it lies, metres."""
+_ONE_WINDOW, _TWO_WINDOWS = 2.4, 4.7
+"""Outer wall that a balcony leaves to the room in whose corner it lies, metres."""
+
+_LIT_BY_ONE = 28.0
+"""Area of a room for which one window is enough, square metres."""
 
 _LOGGIA = (1.6, 2.4)
 """Least and greatest depth of such a balcony, metres."""
@@ -451,13 +455,19 @@ def _inner_first(room: PlannedRoom) -> tuple[int, str]:
     return int(room.kind.daylight), room.id
 
 
+def _lit_by(area: float) -> float:
+    """Return how much outer wall the windows of a room of some square metres need, metres."""
+    return _ONE_WINDOW if area <= _LIT_BY_ONE else _TWO_WINDOWS
+
+
 def _with_loggia(
     host: PlannedRoom, slab: Box, balcony: PlannedRoom, area: float
 ) -> list[tuple[PlannedRoom, list[Box]]]:
     """Return a slab from the corridor to the outer wall with a balcony in its outer corner."""
     x0, y0, x1, y1 = slab
     deep = min(max((area / 1.8) ** 0.5, _LOGGIA[0]), _LOGGIA[1])
-    wide = max(min(area / deep, x1 - x0 - _BESIDE_LOGGIA), LEAST_FRONT)
+    beside = _lit_by((x1 - x0) * (y1 - y0) - area)
+    wide = max(min(area / deep, x1 - x0 - beside), LEAST_FRONT)
     corner = (x0, y1 - deep, x0 + wide, y1)
     return [(host, [(x0, y0, x1, y1 - deep), (x0 + wide, y1 - deep, x1, y1)]), (balcony, [corner])]
 
