@@ -303,6 +303,8 @@ def test_things_are_known_by_their_whole_name(thing: str, category: str, count: 
         ("A lounge with floor-to-ceiling bookshelves.", "floor-to-ceiling"),
         ("A sunroom with wicker chairs.", "wicker"),
         ("A washroom with six small toilets.", "small"),
+        ("The bedrooms have single beds.", "single"),
+        ("A guest room with double bed.", "double"),
     ],
 )
 def test_how_a_thing_is_to_be_is_kept_once(brief: str, words: str) -> None:
