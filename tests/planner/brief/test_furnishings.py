@@ -241,9 +241,18 @@ def test_what_some_of_several_rooms_have_is_in_as_many_others(brief: str, shares
     assert all(fact.each != bool(fact.some) for fact in found)
 
 
-def test_what_rooms_for_men_and_for_women_have_is_in_either() -> None:
-    found = read_brief("A gym. Locker rooms for men and women with thirty lockers each", default_knowledge()).objects
-    assert [(fact.room, fact.count) for fact in found] == [("man_locker_room", 30), ("woman_locker_room", 30)]
+@pytest.mark.parametrize(
+    "brief",
+    [
+        "Changing rooms for men and women with thirty lockers each",
+        "Changing rooms for men and women each with two showers and thirty lockers",
+        "Changing rooms (men / women) with thirty lockers and five showers each",
+    ],
+)
+def test_what_rooms_for_men_and_for_women_have_is_in_either(brief: str) -> None:
+    found = read_brief(f"A gym. {brief}.", default_knowledge()).objects
+    lockers = [(fact.room, fact.count) for fact in found if fact.category == "locker"]
+    assert lockers == [("man_changing_room", 30), ("woman_changing_room", 30)]
 
 
 @pytest.mark.parametrize(
@@ -283,7 +292,7 @@ def test_a_few_people_are_those_of_each_room(brief: str, each: bool) -> None:
     ("thing", "category", "count"),
     [
         ("two floor lamps", "floor_lamp", 2),
-        ("two deck ovens", "stove", 2),
+        ("two deck ovens", "baking_oven", 2),
         ("two drum kits", "drum_kit", 2),
         ("grab bars", "grab_bar", None),
         ("an exam couch", "exam_table", 1),
@@ -303,6 +312,8 @@ def test_things_are_known_by_their_whole_name(thing: str, category: str, count: 
         ("A lounge with floor-to-ceiling bookshelves.", "floor-to-ceiling"),
         ("A sunroom with wicker chairs.", "wicker"),
         ("A washroom with six small toilets.", "small"),
+        ("The bedrooms have single beds.", "single"),
+        ("A guest room with double bed.", "double"),
     ],
 )
 def test_how_a_thing_is_to_be_is_kept_once(brief: str, words: str) -> None:

@@ -3,8 +3,10 @@
 import pytest
 
 from mansion_knowledge import default_knowledge
+from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief.facts import BriefFacts
 from mansion_planner.brief.reader import read_brief
+from mansion_planner.plan import plan_building
 
 
 def read(brief: str) -> BriefFacts:
@@ -110,3 +112,13 @@ def test_rooms_on_some_floors_above_lie_on_either() -> None:
 
 def test_a_number_on_its_own_is_no_storey_without_storeys() -> None:
     assert storeys("A flat. A study with two desks, one lamp on 2.") == {}
+
+
+def test_storeys_by_their_number_alone_count_from_the_one_above_the_ground() -> None:
+    brief = (
+        "Office, three storeys: on the ground floor a cafe; on the first 24 desks in an open office and four phone"
+        " booths; on the second two meeting rooms."
+    )
+    program = plan_building(BuildRequest(description=brief)).program
+    places = {wish.value.name: wish.scope.floors for wish in program.wishes if wish.kind == "room"}
+    assert places == {"cafe": [1], "open_office": [2], "phone_booth": [2], "meeting_room": [3]}

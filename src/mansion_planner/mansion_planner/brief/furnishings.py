@@ -452,7 +452,8 @@ def _is_of_each(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     last = phrases[number].last
     for following in phrases[number + 1 :]:
         joint = reading.words(last, following.first)
-        if following.head != "object" or not joint or not set(joint) <= {"and", ",", "a", "an", "&", "plus"}:
+        thing = following.head == "object" or (following.head == "room" and following.room_type in _WASHING)
+        if not thing or not joint or not set(joint) <= {"and", ",", "a", "an", "&", "plus"}:
             break
         last = following.last
     return bool({"each", "apiece"} & set(reading.words(last, last + 2)))
@@ -543,7 +544,9 @@ def _is_of_holder(reading: Reading, phrases: list[Phrase], holder: int, inner: i
         return False
     between = (at for at in range(outer.last, room.begin) if reading.kind(at) not in ("number", "unit"))
     lead, joint = {reading.word(at) for at in between} - FLOOR_WORDS, reading.words(room.last, things[0].first)
-    if not lead & {"with", "has", "have"} or not lead <= _HAVING or room.determiner == "the" or room.plural:
+    washing = outer.room_type == "changing_room" and room.room_type in _WASHING
+    several = room.plural and not washing  # "changing rooms, each with two showers and eight lockers"
+    if not lead & {"with", "has", "have"} or not lead <= _HAVING or room.determiner == "the" or several:
         return False
     listed = joint in (("and",), ("&",))
     if joint == (",",) and not _EACH.isdisjoint(lead):
@@ -559,6 +562,8 @@ def _is_of_holder(reading: Reading, phrases: list[Phrase], holder: int, inner: i
     )
 
 
+_WASHING = frozenset({"shower_area", "toilet", "restroom"})
+"""Rooms that stand in a list of what a changing room has."""
 _HAVING = frozenset("with has have having a an one its own each every of on them ,".split())
 """Words between a room and one that it has, besides sizes and storeys."""
 

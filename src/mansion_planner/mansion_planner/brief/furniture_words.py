@@ -109,7 +109,7 @@ _MEANT = {
     "treatment couch": "exam_table",
     "massage couch": "massage_table",
     "oven": "stove",
-    "deck oven": "stove",
+    "deck oven": "baking_oven",
     "shelf": "shelving_unit",
     "glass": "",
     "brick": "",

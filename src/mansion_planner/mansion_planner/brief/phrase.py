@@ -238,9 +238,12 @@ def count_before(reading: Reading, begin: int, end: int) -> tuple[int, int | Non
             index -= 1
         else:
             break
-    return begin, None, False, determiner
+    wide = reading.word(end - 1) == "bed" and reading.word(begin - 1) in _WIDTHS_OF_BEDS  # "rooms with single beds"
+    return begin - (wide and begin - 1 not in reading.taken), None, False, determiner
 
 
+_WIDTHS_OF_BEDS = frozenset({"single", "double", "twin"})
+"""Words that are numbers elsewhere."""
 _DETERMINERS = frozenset(
     """
     a an the each every per own its their our my her his both all no this that these those any either another some

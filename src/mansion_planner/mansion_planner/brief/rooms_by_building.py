@@ -37,6 +37,7 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
         and kind in _HOMES
         and not itself
         and not phrase.plural
+        and phrase.determiner != "the"
     ):
         painted = not _PAINTING.isdisjoint(token.text for token in reading.tokens)
         return replace(phrase, head="room", building="", room_type="art_room", known=painted)

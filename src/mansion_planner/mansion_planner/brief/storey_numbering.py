@@ -74,15 +74,20 @@ _LINKS = frozenset({"and", ",", "&", "to", "through", "–", "-"})
 
 
 def _elliptic_ordinals(reading: Reading) -> list[int]:
-    """Return the storeys that "on the first, ..." and "Second: ..." name without a word for storeys."""
+    """Return the storeys that "on the first, ...", "on the second six offices" and "Third:" name by number alone."""
     found = []
     for index, token in enumerate(reading.tokens):
         if token.kind != "ordinal" or token.value != int(token.value):
             continue
-        placed = reading.words(index - 2, index) == ("on", "the") and reading.word(index + 1) in (",", ".", ";", ":")
+        closed = reading.word(index + 1) in _AFTER_ELLIPTIC or reading.kind(index + 1) == "number"
+        placed = reading.words(index - 2, index) == ("on", "the") and closed
         if placed or (reading.starts(index) and reading.word(index + 1) == ":"):
             found.append(int(token.value))
     return found
+
+
+_AFTER_ELLIPTIC = frozenset({",", ".", ";", ":", "a", "an", "the", "there", "we", "are", "is"})
+"""What follows a storey that no noun is said of."""
 
 
 def counts_above_ground(reading: Reading) -> bool:
