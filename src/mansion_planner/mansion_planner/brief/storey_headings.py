@@ -5,6 +5,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from mansion_language import Token
+from mansion_planner.brief.storey_forms import ABOVE_GROUND
 
 __all__ = ["storey_headings"]
 
@@ -32,9 +33,11 @@ _LONGEST_CLAUSE = 12
 
 def storey_headings(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
     """Return the tokens with each such heading at the start of a sentence, with a noun and a colon."""
-    found = _rooms_each(_one_and_another(tokens, floor_words), floor_words)
+    found = _shared_out(_one_and_another(tokens, floor_words), floor_words)
+    found = _rooms_each(found, floor_words)
     found = _numbers_in_a_row(_split_decimals(found, floor_words), floor_words)
     found = _by_bracket(found, floor_words)
+    found = _above_rooms(_behind_rooms(_with_marks(found), floor_words), floor_words)
     found = _set_apart(_without_uses(found, floor_words), floor_words)
     return _with_colons(_by_ordinals(found, floor_words), floor_words)
 
@@ -116,6 +119,28 @@ def _one_and_another(tokens: list[Token], floor_words: AbstractSet[str]) -> list
                 sum_of_both = replace(token, text=f"{value:.0f}", value=value)
                 noun = replace(tokens[index + 1], plural=True)
                 return [*tokens[:index], sum_of_both, noun, *tokens[index + 2 : at], *tokens[at + 2 :]]
+    return tokens
+
+
+def _shared_out(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Read "8 flats on two floors (4 per floor)" as "two floors, 4 flats on each floor"."""
+    for index in range(len(tokens) - 5):
+        texts = [token.text for token in tokens[index : index + 5]]
+        bracket = texts[0] == "(" and texts[2] in ("per", "each", "a") and texts[3] in floor_words and texts[4] == ")"
+        if not bracket or tokens[index + 1].kind != "number":
+            continue
+        each = tokens[index + 1].value
+        storeys = tokens[index - 2].value if index > 1 and tokens[index - 1].text in floor_words else 0
+        lead = index - 3
+        total = next((at for at in range(lead, max(lead - 8, -1), -1) if tokens[at].value == each * storeys), None)
+        if not storeys or total is None or tokens[lead].text not in ("on", "over", "across", "in"):
+            continue
+        count = replace(tokens[index + 1], start=tokens[total].start, end=tokens[total].end)
+        at = tokens[index + 2]
+        every = [replace(at, text="on"), replace(at, text="each", start=at.end), tokens[index + 3]]
+        comma = Token("mark", ",", tokens[index - 1].end, tokens[index - 1].end)
+        held = [count, *tokens[total + 1 : lead], *every]
+        return [*tokens[:total], *tokens[index - 2 : index], comma, *held, *tokens[index + 5 :]]
     return tokens
 
 
@@ -226,6 +251,103 @@ def _tells_who(token: Token) -> bool:
 
 
 _WAYS = frozenset("flight floor storey level way one stair step deck further half all the very".split())
+
+
+_SHORT = frozenset({"g", "basement", "roof", "attic"})
+"""Names of storeys beside which a number before "=" is one too."""
+
+
+def _with_marks(tokens: list[Token]) -> list[Token]:
+    """Read "G = lobby", "1 = wards" and "; up - two offices" with a colon, where other storeys are headed so."""
+    heads = [
+        at for at, token in enumerate(tokens[:-1])
+        if _starts(tokens, at) and tokens[at + 1].text == "="
+        and (token.kind in ("number", "level") or token.text in _SHORT)
+    ]  # fmt: skip
+    headed = len(heads) > 1 and any(tokens[at].text in _SHORT for at in heads)
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        after_head = headed and index - 1 in heads
+        sides = _text(tokens, index - 1) in ("up", "down", "above", "below") and _starts(tokens, index - 1)
+        dash = token.text in ("-", "–") and sides and token.spaced
+        if after_head and tokens[index - 1].kind == "number":
+            grounded = any(tokens[at].text == "g" for at in heads)
+            result[-1] = replace(result[-1], kind="level", text=ABOVE_GROUND if grounded else f"l{result[-1].text}")
+        result.append(replace(token, kind="mark", text=":") if after_head or dash else token)
+    return result
+
+
+_NOT_BEFORE = frozenset(
+    """
+    the a an on in at of to from for and or with our its each every all both per first second third one is are be as
+    over above below under than by through until into only this that no without not , ( - – : ; .
+    """.split()
+)
+"""Words and marks before a storey that is named in a form of its own."""
+
+
+def _behind_rooms(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Read "classrooms and lounge first floor, bedrooms second floor" with "on the" before the storeys."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        if token.kind == "ordinal" and token.value == 1 and _text(tokens, index + 1) in ("basement", "cellar"):
+            continue  # "the first basement level"
+        named = token.kind == "ordinal" or token.text in ("ground", "top")
+        storey = named and _text(tokens, index + 1) in floor_words and not tokens[index + 1].plural
+        closed = index + 2 >= len(tokens) or tokens[index + 2].text in _ENDS | {","}
+        before = tokens[index - 1] if index else None
+        room = before is not None and before.kind == "word" and before.text not in _NOT_BEFORE | floor_words
+        room = room and before is not None and len(before.text) > 1 and not _starts(tokens, index - 1)
+        grounded = before is not None and before.text == "all" and token.text == "ground"
+        if storey and closed and (room or grounded) and _has_other_storeys(tokens, index, floor_words):
+            at = token.start
+            if grounded and _text(tokens, index - 2) in ("-", "–"):
+                result[-2] = replace(result[-2], kind="mark", text=",")
+            result += [Token("word", "on", at, at), Token("word", "the", at, at)]
+        result.append(token)
+    return result
+
+
+def _has_other_storeys(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> bool:
+    """Whether storeys are named or counted elsewhere than at a token."""
+    return any(
+        token.text in floor_words | {"upstairs", "upstair", "downstairs", "basement"} and at not in (index, index + 1)
+        for at, token in enumerate(tokens)
+    )
+
+
+_HOMES = frozenset({"flat", "apartment", "maisonette", "home"})
+_LIVED_IN = frozenset({"bedroom", "bed", "living", "kitchen"})
+_OWN = frozenset({"her", "his", "their", "our", "my", "the", "a", "an"})
+
+
+def _above_rooms(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Read "Above the shop: her apartment, bedroom, bath" as "upper floor: her apartment has bedroom, bath"."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        token = tokens[index]
+        noun = index + 1 + (_text(tokens, index + 1) in _OWN)
+        headed = token.text in ("above", "over") and _starts(tokens, index) and noun > index + 1
+        colon = noun + 1 if _text(tokens, noun + 1) == ":" else noun + 2
+        if not headed or _text(tokens, colon) != ":" or not all(t.kind == "word" for t in tokens[noun:colon]):
+            result.append(token)
+            index += 1
+            continue
+        if tokens[noun].text in floor_words | {"ground"}:
+            result.append(token)
+            index += 1
+            continue
+        floor = Token("word", "floor", token.end, tokens[colon - 1].end)
+        result += [replace(token, text="upper"), floor, tokens[colon]]
+        index = colon + 1
+        home = index + (_text(tokens, index) in _OWN)
+        lists = {t.text for t in tokens[home : home + 12]} & _LIVED_IN
+        if _text(tokens, home) in _HOMES and _text(tokens, home + 1) in (",", ":", "-") and lists:
+            article = Token("word", "a", tokens[home].start, tokens[home].start)
+            result += [article, tokens[home], Token("word", "with", tokens[home].end, tokens[home].end)]
+            index = home + 2
+    return result
 
 
 def _heading_end(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> int:
