@@ -25,3 +25,20 @@ def test_rooms_are_below_what_is_upstairs() -> None:
 def test_the_rooms_of_a_home_are_left_to_the_planner() -> None:
     storeys = kinds("A house with three bedrooms, a kitchen, a living room. Upstairs: a study.")
     assert storeys["bedroom"] == []
+
+
+def test_a_business_under_a_flat_is_on_the_ground_floor() -> None:
+    storeys = kinds(
+        "Bookbinder's: workshop, paper store, small shop, wc. Above the shop: her apartment, bedroom, bath."
+    )
+    assert storeys["workshop"] == storeys["toilet"] == ["number1"]
+
+
+def test_only_the_last_of_a_list_is_upstairs_behind_a_bare_comma() -> None:
+    storeys = kinds("Baths. A pool and a cafe, changing rooms, a laundry, a sauna upstairs.")
+    assert storeys["sauna"] == ["upper"]
+    assert storeys["indoor_pool"] != ["upper"]
+
+
+def test_above_leads_a_list_of_numbers() -> None:
+    assert kinds("House of two storeys. Kitchen, living room; above 3 bed 1 bath.")["bedroom"] == ["upper"]

@@ -25,8 +25,8 @@ def named_of_tower(reading: Reading, places: list[Place]) -> Quantity | None:
 def put_on_ground(reading: Reading) -> None:
     """Give rooms that are told no storey of the ground floor, where only the upper one of two storeys is named.
 
-    The building is one to work in: in homes bedrooms may be upstairs without a word. One of more storeys has others to
-    put such rooms on.
+    The building is one to work in, or has a flat upstairs: in homes bedrooms may be upstairs without a word. One of
+    more storeys has others to put such rooms on.
     """
     facts = reading.facts
     if not _is_of_two_storeys(facts) or not _is_to_work_in(reading):
@@ -55,4 +55,5 @@ def _is_to_work_in(reading: Reading) -> bool:
     facts = reading.facts
     kind = facts.building[0][0] if facts.building else facts.building_like
     record = reading.knowledge.buildings.get(kind)
-    return record is not None and record.family != "home"
+    flat_above = any(room.unit and room.count == 1 and room.floors for room in facts.rooms)
+    return flat_above or (record is not None and record.family != "home")

@@ -141,7 +141,7 @@ def _with_second_nouns(tokens: list[Token]) -> list[Token]:
         if one_more := _one_more(tokens, index):
             result += [replace(noun, start=token.end, end=token.end, plural=False) for noun in one_more]
             result += tokens[index + 1 : index + 3]
-            skipped = index + 3 + (2 if _sized_otherwise(tokens, index + 3) else 0)
+            skipped = index + 3 + (3 if _sized_otherwise(tokens, index + 3) else 0)
             continue
         joined = index and tokens[index - 1].text in ("and", ",", "plus") and token.text in ("one", "another")
         if not joined or not _is_for_many(tokens, index + 1):

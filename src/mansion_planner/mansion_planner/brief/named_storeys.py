@@ -282,7 +282,8 @@ class NamedStoreys:
             return False
         mention = reading.mention_at.get(index + 1)
         named = mention is not None and mention.plural and bool(mention.room or mention.building)
-        return named or (self._counts(index + 1) and reading.plural(index + 2))
+        several = reading.plural(index + 2) or reading.value(index + 1) > 1
+        return named or (self._counts(index + 1) and several)
 
     def _is_place(self, index: int) -> bool:
         """Whether an attic is only where other rooms are: "in the attic two bedrooms", "attic nursery and study"."""

@@ -442,7 +442,7 @@ class _Walk:
             between = tuple(
                 word
                 for at, word in zip(sized, between, strict=True)
-                if self.reading.kind(at) not in ("number", "unit") and word != "of"
+                if self.reading.kind(at) not in ("number", "unit", "ordinal") and word != "of"
             )
             furnished = self.phrases[chosen[-1]].head == "object" and between[:1] == ("with",)
             if furnished and between[1:] in ((), ("a",), ("an",), ("its",)) and joined:
@@ -492,6 +492,8 @@ class _Walk:
             if self.phrases[b].head != "object"  # "a hall with counters and machines, an office"
         ]
         plain = [words[: words.index("for")] if "for" in words else words for words in joints]
+        if len(plain) > 2 and _AND.isdisjoint(plain[-1]):
+            return True  # "a pool and a bath, changing rooms, showers, a sauna upstairs"
         return len(joints) > 1 and all(_AND.isdisjoint(words) for words in plain)
 
     def _suits(self, number: int, place: Place) -> bool:

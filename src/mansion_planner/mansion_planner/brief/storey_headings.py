@@ -212,16 +212,23 @@ def _titled(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> i
 
 def _without_uses(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
     """Read "L2-L4: wards, each level with ten rooms" without the wards: the rooms are what the storeys hold."""
-    for index, token in enumerate(tokens[:-5]):
-        noun = index + 1 + (tokens[index + 1].kind == "word" and tokens[index + 2].kind == "word")
-        used = token.text == ":" and tokens[noun].kind == "word" and tokens[noun].plural
-        if not used or _text(tokens, noun + 1) != "," or _text(tokens, noun + 2) not in ("each", "every"):
-            continue
-        storey = _text(tokens, noun + 3) in floor_words and _text(tokens, noun + 4) in ("with", "has", "having")
-        headed = any(t.kind == "level" or t.text in floor_words for t in tokens[max(index - 5, 0) : index])
-        if storey and headed:
-            return [*tokens[: index + 1], *_without_uses(tokens[noun + 5 :], floor_words)]
-    return tokens
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        result.append(tokens[index])
+        index = _after_use(tokens, index, floor_words) or index + 1
+    return result
+
+
+def _after_use(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> int:
+    """Return the token after ": wards, each level with" that begins at a token, or 0."""
+    if tokens[index].text != ":" or index + 6 > len(tokens):
+        return 0
+    noun = index + 1 + (tokens[index + 1].kind == "word" and tokens[index + 2].kind == "word")
+    used = tokens[noun].kind == "word" and tokens[noun].plural and _text(tokens, noun + 1) == ","
+    each = _text(tokens, noun + 2) in ("each", "every") and _text(tokens, noun + 3) in floor_words
+    headed = any(t.kind == "level" or t.text in floor_words for t in tokens[max(index - 5, 0) : index])
+    return noun + 5 if used and each and headed and _text(tokens, noun + 4) in ("with", "has", "having") else 0
 
 
 def _set_apart(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
@@ -259,19 +266,19 @@ _SHORT = frozenset({"g", "basement", "roof", "attic"})
 
 def _with_marks(tokens: list[Token]) -> list[Token]:
     """Read "G = lobby", "1 = wards" and "; up - two offices" with a colon, where other storeys are headed so."""
-    heads = [
+    heads = {
         at for at, token in enumerate(tokens[:-1])
         if _starts(tokens, at) and tokens[at + 1].text == "="
         and (token.kind in ("number", "level") or token.text in _SHORT)
-    ]  # fmt: skip
+    }  # fmt: skip
     headed = len(heads) > 1 and any(tokens[at].text in _SHORT for at in heads)
+    grounded = any(tokens[at].text == "g" for at in heads)
     result: list[Token] = []
     for index, token in enumerate(tokens):
         after_head = headed and index - 1 in heads
         sides = _text(tokens, index - 1) in ("up", "down", "above", "below") and _starts(tokens, index - 1)
         dash = token.text in ("-", "–") and sides and token.spaced
         if after_head and tokens[index - 1].kind == "number":
-            grounded = any(tokens[at].text == "g" for at in heads)
             result[-1] = replace(result[-1], kind="level", text=ABOVE_GROUND if grounded else f"l{result[-1].text}")
         result.append(replace(token, kind="mark", text=":") if after_head or dash else token)
     return result
@@ -288,6 +295,7 @@ _NOT_BEFORE = frozenset(
 
 def _behind_rooms(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
     """Read "classrooms and lounge first floor, bedrooms second floor" with "on the" before the storeys."""
+    others = {at for at, token in enumerate(tokens) if token.text in floor_words | _OTHER_STOREYS}
     result: list[Token] = []
     for index, token in enumerate(tokens):
         if token.kind == "ordinal" and token.value == 1 and _text(tokens, index + 1) in ("basement", "cellar"):
@@ -299,7 +307,7 @@ def _behind_rooms(tokens: list[Token], floor_words: AbstractSet[str]) -> list[To
         room = before is not None and before.kind == "word" and before.text not in _NOT_BEFORE | floor_words
         room = room and before is not None and len(before.text) > 1 and not _starts(tokens, index - 1)
         grounded = before is not None and before.text == "all" and token.text == "ground"
-        if storey and closed and (room or grounded) and _has_other_storeys(tokens, index, floor_words):
+        if storey and closed and (room or grounded) and _other_than(others, index):
             at = token.start
             if grounded and _text(tokens, index - 2) in ("-", "–"):
                 result[-2] = replace(result[-2], kind="mark", text=",")
@@ -308,12 +316,12 @@ def _behind_rooms(tokens: list[Token], floor_words: AbstractSet[str]) -> list[To
     return result
 
 
-def _has_other_storeys(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> bool:
-    """Whether storeys are named or counted elsewhere than at a token."""
-    return any(
-        token.text in floor_words | {"upstairs", "upstair", "downstairs", "basement"} and at not in (index, index + 1)
-        for at, token in enumerate(tokens)
-    )
+_OTHER_STOREYS = frozenset({"upstairs", "upstair", "downstairs", "basement"})
+
+
+def _other_than(storeys: AbstractSet[int], index: int) -> bool:
+    """Whether storeys stand elsewhere than at a token and the one after it."""
+    return len(storeys) > (index in storeys) + (index + 1 in storeys)
 
 
 _HOMES = frozenset({"flat", "apartment", "maisonette", "home"})
