@@ -20,3 +20,12 @@ def test_numbered_units_are_shops_by_their_goods() -> None:
 def test_numbered_rooms_keep_their_names() -> None:
     facts = read_brief("Clinic. Rooms: 1 = reception, 2 = laboratory, 3 = pharmacy.", default_knowledge())
     assert [room.room_type for room in facts.rooms] == ["reception", "laboratory", "pharmacy"]
+
+
+def test_a_series_of_numbers_counts_rooms() -> None:
+    facts = read_brief("Clinic: reception, exam room 1-4, lab.", default_knowledge())
+    assert [(room.room_type, room.count) for room in facts.rooms] == [
+        ("reception", 1),
+        ("consultation_room", 4),
+        ("laboratory", 1),
+    ]

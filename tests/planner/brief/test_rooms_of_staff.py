@@ -41,3 +41,8 @@ def test_what_is_said_later_is_of_the_same_room() -> None:
 )
 def test_who_works_there_asks_for_no_room(text: str) -> None:
     assert not {"manager", "secretary", "director"} & {fact.name for fact in read(text).rooms}
+
+
+def test_who_opens_the_list_of_a_storey_has_an_office() -> None:
+    facts = read_brief("Job centre, 3 floors; 3rd level director, secretary, 12 offices, archive.", default_knowledge())
+    assert [(room.name, room.count) for room in facts.rooms[:2]] == [("director", 1), ("secretary", 1)]

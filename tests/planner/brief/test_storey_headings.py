@@ -56,7 +56,7 @@ def test_one_storey_and_one_above_are_two() -> None:
 
 
 def test_rooms_each_after_storeys_are_on_each_of_them() -> None:
-    facts = read_brief("Hostel. Three levels above ground, 16 dorms each, all with shower.", default_knowledge())
+    facts = read_brief("Hotel. Three levels above ground, 16 rooms each, all with shower.", default_knowledge())
     assert [(room.count, room.each, len(room.suite)) for room in facts.rooms] == [(16, True, 1)]
     assert [quantity.value for quantity in facts.floors] == [3.0]
 
@@ -69,3 +69,41 @@ def test_an_attic_in_a_list_of_storeys_is_one() -> None:
 def test_the_very_top_is_the_top_storey() -> None:
     rooms = where("Lighthouse, three floors: coal store below; and a watch room at the very top under the lamp.")
     assert rooms["watch_room"][0][0] == "top"
+
+
+@pytest.mark.parametrize(
+    ("brief", "room", "storey"),
+    [
+        ("Clinic. B1 = morgue. G = lobby. 1 = scrub room, two offices.", "scrub_room", ("number", 2, 2)),
+        ("School. Garage ground floor, classrooms and lounge first floor.", "lounge", ("number", 2, 2)),
+        ("Day nursery on two storeys. Kitchen, laundry - all ground floor. Gym upstairs.", "laundry", ("number", 1, 1)),
+        ("Archive. Lobby, two offices on the ground with a kitchen. Upstairs a store.", "kitchen", ("number", 1, 1)),
+        ("College. Two seminar rooms on the upper, cafe on lower, WCs on both levels.", "cafe", ("number", 1, 1)),
+    ],
+)
+def test_storeys_in_forms_of_their_own_place_rooms(brief: str, room: str, storey: tuple[str, int, int]) -> None:
+    assert where(brief)[room] == [storey]
+
+
+def test_what_lies_above_a_room_is_upstairs() -> None:
+    facts = read_brief("A bakery. Above the bakery: her apartment, bedroom, bath, kitchen.", default_knowledge())
+    flat = next(room for room in facts.rooms if room.unit)
+    assert flat.floors[0].kind == "upper"
+    assert [room.room_type for room in flat.suite] == ["bedroom", "bathroom", "kitchen"]
+
+
+def test_flats_of_each_floor_in_a_bracket_are_on_each() -> None:
+    facts = read_brief("8 flats of 50 m² on two floors (4 per floor), each: bedroom, shower room.", default_knowledge())
+    (flats,) = facts.rooms
+    assert (flats.count, flats.each, len(flats.suite)) == (4, True, 2)
+
+
+def test_typical_floors_after_a_ground_floor_hold_what_follows() -> None:
+    brief = "Block of five floors; ground floor with a bike room; 4 typical floors with two flats each."
+    assert where(brief)["flat"][0][0] == "upper"
+
+
+def test_an_unknown_room_keeps_its_storey_to_itself() -> None:
+    rooms = where("Fire school. Smoke maze on the basement level, a garage on the ground floor, lounge first floor.")
+    assert rooms["garage"] == [("number", 1, 1)]
+    assert rooms["lounge"] == [("number", 2, 2)]

@@ -368,7 +368,7 @@ def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
         return True
     if not (phrase.building or phrase.room_type) or phrase.counted:
         return False
-    if _is_near_the_whole(reading, phrases, number):
+    if _is_near_the_whole(reading, phrases, number) or _is_studied(reading, phrase):
         return True
     if _lies_elsewhere(reading, phrase):
         reading.take(phrase.last, away_end(reading, phrase.last + 1))
@@ -384,6 +384,17 @@ def is_elsewhere(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     )
 
 
+def _is_studied(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase names where what is studied happens: "for our study of way-finding in hospitals we need"."""
+    if not (phrase.building and phrase.plural) or phrase.determiner or reading.word(phrase.first - 1) != "in":
+        return False
+    first = phrase.first
+    while not reading.starts(first):
+        first -= 1
+    opening = reading.words(first, phrase.first)
+    return opening[:1] == ("for",) and not TRIALS.isdisjoint(opening)
+
+
 def _is_near_the_whole(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     """Whether a phrase names what the whole building stands near: "the club is close to the station"."""
     phrase = phrases[number]
@@ -396,7 +407,10 @@ def _is_near_the_whole(reading: Reading, phrases: list[Phrase], number: int) -> 
     if not near or reading.word(verb) not in _STANDS | {"is", "be", "stay"}:
         return False
     subject = verb - 1 - (reading.word(verb - 1) in ("is", "should", "will", "shall"))
-    room = any(p.head == "room" and p.first <= subject < p.last for p in phrases[:number])
+    room = any(
+        p.head == "room" and p.first <= subject < p.last and p.name.rpartition("_")[2] == reading.word(subject)
+        for p in phrases[:number]
+    )
     again = reading.word(subject - 1) in ("the", "our", "this") and reading.word(subject) in reading.words(0, _OPENING)
     return reading.word(subject) in _SITES or (again and not room)
 

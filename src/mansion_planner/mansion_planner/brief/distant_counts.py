@@ -102,7 +102,7 @@ def read_counts_by_room(reading: Reading, phrases: list[Phrase]) -> None:
     for number, (phrase, of_each) in enumerate(itertools.pairwise(list(phrases))):
         lead = reading.words(phrase.last, of_each.begin)
         single = phrase.head == "room" and phrase.count == 1 and not phrase.plural and phrase.determiner != "the"
-        counted = _counted_alike(reading, phrases[:number], of_each)
+        counted = _counted_alike(reading, phrases[:number], of_each) if single else []
         beside = not _BESIDE.isdisjoint(lead) and of_each.determiner in ("each", "every") and len(lead) < 5
         earlier = [n for n, p in enumerate(phrases[:number]) if p.name == phrase.name and p.plural and not p.counted]
         if single and beside and len(counted) == 1 and earlier:

@@ -133,8 +133,16 @@ def kinds_of_rooms(tokens: list[Token]) -> list[Token]:
 def _with_second_nouns(tokens: list[Token]) -> list[Token]:
     """Return the tokens with the noun of "one meeting room for 8 and one for 4" told twice."""
     result: list[Token] = []
+    skipped = 0
     for index, token in enumerate(tokens):
+        if index < skipped:
+            continue
         result.append(token)
+        if one_more := _one_more(tokens, index):
+            result += [replace(noun, start=token.end, end=token.end, plural=False) for noun in one_more]
+            result += tokens[index + 1 : index + 3]
+            skipped = index + 3 + (3 if _sized_otherwise(tokens, index + 3) else 0)
+            continue
         joined = index and tokens[index - 1].text in ("and", ",", "plus") and token.text in ("one", "another")
         if not joined or not _is_for_many(tokens, index + 1):
             continue
@@ -144,6 +152,31 @@ def _with_second_nouns(tokens: list[Token]) -> list[Token]:
                 result += [replace(noun, start=token.end, end=token.end) for noun in tokens[first:last]]
                 break
     return result
+
+
+_BIGGER = frozenset("bigger larger smaller big large small".split())
+
+
+def _one_more(tokens: list[Token], index: int) -> list[Token]:
+    """Return the noun of the counted rooms that "+ 1 for drums" adds one to; empty where nothing is added."""
+    lead = tokens[index - 1].text if index else ""
+    one = tokens[index].kind == "number" and tokens[index].value == 1 and lead in ("+", "plus")
+    purpose = tokens[index + 1 : index + 3]
+    if not one or [token.kind for token in purpose] != ["word", "word"] or purpose[0].text != "for":
+        return []
+    for last in range(index - 2, max(index - 12, 0), -1):
+        if tokens[last].text in (".", ";", "\n"):
+            return []
+        counted = next((at for at in range(last - 1, max(last - 4, -1), -1) if tokens[at].kind == "number"), None)
+        if tokens[last].kind == "word" and tokens[last].plural and counted is not None:
+            return tokens[counted + 1 : last + 1]
+    return []
+
+
+def _sized_otherwise(tokens: list[Token], index: int) -> bool:
+    """Whether ", bigger" stands at a token before an area."""
+    texts = [token.text for token in tokens[index : index + 3]]
+    return len(texts) == 3 and texts[0] == "," and texts[1] in _BIGGER and texts[2] == ","
 
 
 def _is_for_many(tokens: list[Token], index: int) -> bool:

@@ -28,7 +28,7 @@ class _Entry:
 
 def with_units(tokens: list[Token]) -> list[Token]:
     """Return the tokens with the square metres of such numbers, and "two small ones of 10 m2" as "two of 10 m2"."""
-    result = _areas_in_metres(tokens)
+    result = _middle_of_ranges(_areas_in_metres(tokens))
     found: list[Token] = []
     index = 0
     while index < len(result):
@@ -58,6 +58,26 @@ def _areas_in_metres(tokens: list[Token]) -> list[Token]:
             at -= 1
         area = led and tokens[at].text in ("area", "surface") and tokens[index - 1].value >= _LEAST_AREA
         result.append(replace(token, text="m2") if area else token)
+    return result
+
+
+def _middle_of_ranges(tokens: list[Token]) -> list[Token]:
+    """Read "rooms between 14 and 18 m2" as rooms of 16 m2."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        kinds = [token.kind for token in tokens[index : index + 5]]
+        ranged = tokens[index].text == "between" and kinds == ["word", "number", "word", "number", "unit"]
+        if not ranged or tokens[index + 4].text not in AREA or tokens[index + 2].text not in ("and", "to"):
+            result.append(tokens[index])
+            index += 1
+            continue
+        low, high = tokens[index + 1], tokens[index + 3]
+        middle = (low.value + high.value) / 2
+        result.append(replace(tokens[index], text="of"))
+        result.append(Token("number", f"{middle:g}", low.start, high.end, middle))
+        result.append(tokens[index + 4])
+        index += 5
     return result
 
 

@@ -124,6 +124,10 @@ class NamedStoreys:
             return True  # "Ground bar and shop. Second: six rooms."
         if lead == "," and following == ":":
             return True  # "in a Nordic style, ground: a kitchen"
+        if lead in ("-", "–") and following in (".", ";", "\n"):
+            return True  # "lobby, two offices - ground."
+        if following == "with" and reading.words(index - 2, index) == ("on", "the"):
+            return True
         led = lead in ("the", "on", "at") or reading.starts(index) or (lead == "in" and reading.starts(index - 1))
         return led and following in CLOSERS | _AFTER_GROUND
 
@@ -153,7 +157,7 @@ class NamedStoreys:
         reading = self.reading
         word, lead, following = reading.word(index), reading.word(index - 1), reading.word(index + 1)
         if word == "lower":
-            return following in (":", ",") and lead == "the"
+            return (following in (":", ",") and lead == "the") or self._is_after_on(index)
         if word == "down":
             stays = self.has_floors and following in CLOSERS and lead in _STAYS
             room = any(mention.room and mention.last == index for mention in reading.mentions)
@@ -278,7 +282,8 @@ class NamedStoreys:
             return False
         mention = reading.mention_at.get(index + 1)
         named = mention is not None and mention.plural and bool(mention.room or mention.building)
-        return named or (self._counts(index + 1) and reading.plural(index + 2))
+        several = reading.plural(index + 2) or reading.value(index + 1) > 1
+        return named or (self._counts(index + 1) and several)
 
     def _is_place(self, index: int) -> bool:
         """Whether an attic is only where other rooms are: "in the attic two bedrooms", "attic nursery and study"."""
@@ -362,6 +367,8 @@ class NamedStoreys:
         word, lead, following = reading.word(index), reading.word(index - 1), reading.word(index + 1)
         if word == "upper" and following in (":", ",") and lead == "the":
             return True
+        if word == "upper" and self._is_after_on(index):
+            return True
         if word in ("upper", "og") and reading.starts(index) and following in (":", "-", "–"):
             return True
         if word == "up":
@@ -393,6 +400,12 @@ class NamedStoreys:
             return True
         relative = word in ("over", "above") and following in ("it", "that", "them") and self._ends_clause(index + 2)
         return relative and reading.word(index - 1) not in FLOOR_WORDS
+
+    def _is_after_on(self, index: int) -> bool:
+        """Whether "on the upper," and "on lower" name a storey in brief."""
+        reading = self.reading
+        at = index - 1 - (reading.word(index - 1) == "the")
+        return self.has_floors and reading.word(at) == "on" and reading.word(index + 1) in CLOSERS
 
     def _names_storeys(self) -> bool:
         """Whether the brief speaks of several storeys: with one alone, "in the middle" is a place on it."""

@@ -1,4 +1,4 @@
-"""Name the shops of a numbered list: "Units: 1 = perfumery, 2 = shoes" are a perfumery and a shoe shop."""
+"""Read rooms by their numbers: "Units: 1 = perfumery, 2 = shoes" are two shops, "surgery 1-3" three rooms."""
 
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
@@ -12,6 +12,8 @@ _ROOMS = frozenset({"room", "space", "lot", "hall", "office", "studio", "box"})
 _SEPARATORS = frozenset({",", ";", "and", "&"})
 _ENDS = frozenset({".", "\n", "!", "?"})
 _LONGEST_NAME = 4
+_MOST = 99
+"""Rooms of a series, at most."""
 
 
 def numbered_units(tokens: list[Token], rooms: AbstractSet[str]) -> list[Token]:
@@ -23,6 +25,7 @@ def numbered_units(tokens: list[Token], rooms: AbstractSet[str]) -> list[Token]:
     rooms : set of str
         What the names of rooms and buildings end with: such entries have a noun.
     """
+    tokens = _series(tokens, rooms)
     result: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -45,6 +48,31 @@ def numbered_units(tokens: list[Token], rooms: AbstractSet[str]) -> list[Token]:
             result.append(Token("mark", ",", tokens[last - 1].end, tokens[last - 1].end))
         result.pop()
         index = entries[-1][1]
+    return result
+
+
+_NO_ROOMS = frozenset("floor level storey deck phase stage building block unit zone".split())
+
+
+def _series(tokens: list[Token], rooms: AbstractSet[str]) -> list[Token]:
+    """Read "surgery 1-3" and "exam rooms 1 to 4" as so many of them."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        noun = result[-1] if result else None
+        kinds = [token.kind for token in tokens[index : index + 3]]
+        ranged = len(kinds) == 3 and kinds[0] == kinds[2] == "number" and tokens[index + 1].text in ("–", "-", "to")
+        closed = index + 3 >= len(tokens) or tokens[index + 3].text in _SEPARATORS | _ENDS | {")", "+"}
+        named = noun is not None and noun.kind == "word" and noun.text in rooms - _NO_ROOMS
+        counts = ranged and tokens[index].value == 1 < tokens[index + 2].value <= _MOST
+        if noun is None or not (closed and named and counts):
+            result.append(tokens[index])
+            index += 1
+            continue
+        many = replace(tokens[index + 2], start=tokens[index].start)
+        result[-1] = replace(noun, plural=True)
+        result += [Token("mark", "(", many.start, many.start), many, Token("mark", ")", many.end, many.end)]
+        index += 3
     return result
 
 

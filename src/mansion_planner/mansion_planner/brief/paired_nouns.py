@@ -26,7 +26,7 @@ def paired_nouns(tokens: list[Token]) -> list[Token]:
     result: list[Token] = []
     index = 0
     while index < len(tokens):
-        pair = _flats_by_side(tokens, index) or _home_and_away(tokens, index)
+        pair = _flats_by_side(tokens, index) or _home_and_away(tokens, index) or _by_users(tokens, index)
         if pair is None:
             result.append(tokens[index])
             index += 1
@@ -78,6 +78,23 @@ def _flat_at(tokens: list[Token], index: int, *, noun: str = "") -> tuple[int, i
     while _word(tokens, place) in _LEADS:
         place += 1
     return (at, place, place + 1) if _word(tokens, place) in _SIDES else None
+
+
+_USERS = frozenset(
+    "public staff guest customer patient visitor student teacher pupil employee client member resident".split()
+)
+_TOILETS = frozenset({"wc", "toilet", "restroom", "washroom", "lavatory"})
+
+
+def _by_users(tokens: list[Token], index: int) -> tuple[list[Token], int] | None:
+    """Read "public and staff WC" as two rooms of that noun."""
+    users = _word(tokens, index) in _USERS and _word(tokens, index + 2) in _USERS
+    joined = _word(tokens, index + 1) in ("and", "&", "+") and _word(tokens, index) != _word(tokens, index + 2)
+    if not (users and joined) or _word(tokens, index + 3) not in _TOILETS:
+        return None
+    noun = tokens[index + 3]
+    again = replace(noun, start=tokens[index].end, end=tokens[index].end)
+    return [tokens[index], again, tokens[index + 1], tokens[index + 2], noun], index + 4
 
 
 def _home_and_away(tokens: list[Token], index: int) -> tuple[list[Token], int] | None:

@@ -192,8 +192,6 @@ def finished_phrase(
     before = reading.tokens[named - 1]
     if named and before.start == reading.tokens[named].start and before.end > before.start:
         label = re.split(r"[-\s]", label, maxsplit=1)[-1]  # "seat" of "a 200-seat theatre"
-    other_word = end == named + 1 and reading.word(named) == "flat" and label[:1].lower() != "f"
-    label = " ".join(reading.words(named, end)) if other_word else label  # "the baker lives above"
     label = label or " ".join(reading.words(named, end))  # a noun that the text leaves out
     return Phrase(
         head,

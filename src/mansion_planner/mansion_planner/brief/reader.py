@@ -45,6 +45,7 @@ from mansion_planner.brief.fittings import leave_out_containers, read_fittings
 from mansion_planner.brief.furnishings import read_furnishings
 from mansion_planner.brief.groups import with_room_of_group
 from mansion_planner.brief.households import read_households
+from mansion_planner.brief.implied_storeys import put_on_ground
 from mansion_planner.brief.later_mentions import (
     elsewhere_by_another_word,
     give_areas_of_mentions,
@@ -137,6 +138,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     read_copies(reading, places)
     reading.facts.rooms = [with_room_of_group(with_bathrooms_by_name(fact)) for fact in reading.facts.rooms]
     give_rooms_to_copies(reading.facts)
+    put_on_ground(reading)
     read_clutter_words(reading, phrases)
     read_style(reading, named=False)
     read_floorings(reading)

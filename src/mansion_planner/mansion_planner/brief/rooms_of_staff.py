@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from mansion_planner.brief.phrase import Phrase
-from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.similarity import elliptic_room_type
 
 __all__ = ["OFFICE_HOLDERS", "with_rooms_of_staff"]
@@ -66,7 +66,8 @@ def _room_of_staff(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> P
     plain = not phrase.determiner and word in _HAVE_ROOMS
     ends = after in (",", ";", ".", "and", "&", "+")
     amid = before == "," and ends and not phrase.determiner and _is_amid(rooms, lead)  # "an office, commander, armoury"
-    listed = closed and (added or amid or (plain and before in (",", ":", ";")))
+    headed = word in OFFICE_HOLDERS and before in FLOOR_WORDS | {":"} and after == "," and not phrase.determiner
+    listed = closed and (added or amid or headed or (plain and before in (",", ":", ";")))
     if not listed or not any(abs(reading.sentence[p.first] - sentence) <= 1 for p in rooms):
         return phrase
     kind = elliptic_room_type(reading.words(phrase.begin, phrase.noun_end), reading.knowledge)

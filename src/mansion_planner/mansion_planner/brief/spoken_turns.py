@@ -31,7 +31,7 @@ def spoken_turns(tokens: list[Token]) -> list[Token]:
     say, 45 m2" becomes "of 45 m2", "a reading corner as a separate room of 18 m2" and "a bedroom too, 7 m2" lose the
     words that only say that there is such a room.
     """
-    tokens = _denied_again(_headed_storeys(_with_size_behind(_living_above(tokens))))
+    tokens = _denied_again(_headed_storeys(_with_size_behind(_living_above(_without_ages(tokens)))))
     result: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -65,6 +65,27 @@ def _with_size_behind(tokens: list[Token]) -> list[Token]:
     return [*tokens[:end], replace(tokens[end], text=","), *tokens[end + 1 :]]
 
 
+_YEARS = frozenset({"yr", "yrs", "year", "yo"})
+
+
+def _without_ages(tokens: list[Token]) -> list[Token]:
+    """Return the tokens without for which age something is: "a daycare 0-6 yrs", "for children of 3 to 6 years"."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        kinds = [token.kind for token in tokens[index : index + 3]]
+        ranged = kinds == ["number", "mark", "number"] or kinds == ["number", "word", "number"]
+        ranged = ranged and _word(tokens, index + 1) in ("-", "–", "to") and _word(tokens, index + 3) in _YEARS
+        if not ranged:
+            result.append(tokens[index])
+            index += 1
+            continue
+        while result and result[-1].text in ("aged", "age", "of", "from", "for", "ages"):
+            result.pop()
+        index += 4 + (_word(tokens, index + 4) in ("old", "olds"))
+    return result
+
+
 _BUSINESSES = frozenset(
     """
     shop store bakery bakehouse butcher cafe salon barber studio workshop pub bar inn tavern restaurant practice surgery
@@ -86,7 +107,7 @@ def _living_above(tokens: list[Token]) -> list[Token]:
             subject -= 1
         business = not _BUSINESSES.isdisjoint(texts[:subject]) and _HOMES.isdisjoint(texts)
         if subject < index and business:
-            article = replace(tokens[subject], text="a", kind="word", plural=False)
+            article = Token("word", "a", tokens[index].start, tokens[index].start)
             flat = replace(tokens[index], text="flat", plural=False)
             return [*tokens[:subject], article, flat, *tokens[index + 1 :]]
     return tokens
@@ -252,6 +273,9 @@ def _own_room(tokens: list[Token], index: int) -> int:
     end = index + 1
     while end - index < 5 and _word(tokens, end) in _APART:
         end += 1
+    one = _word(tokens, index + 1) in ("one", "1") and _word(tokens, index + 2) in _ROOMS | {"area"}
+    if one and index + 4 < len(tokens) and [t.kind for t in tokens[index + 3 : index + 5]] == ["number", "unit"]:
+        return 3  # "kitchen-living as one space 55 m2"
     return end + 1 - index if end > index + 1 and _word(tokens, end) in _ROOMS else 0
 
 

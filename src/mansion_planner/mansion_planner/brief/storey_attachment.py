@@ -9,7 +9,7 @@ import itertools
 from dataclasses import dataclass, replace
 
 from mansion_planner.brief.facts import FloorRef
-from mansion_planner.brief.phrase import PEOPLE, Phrase
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
 from mansion_planner.brief.reading import Place, Reading
 from mansion_planner.brief.storey_counts import HOLDING
 
@@ -88,6 +88,11 @@ def attach_storeys(
         Number of the phrase that names the building itself.
     """
     return _Walk(reading, places, phrases, building).run()
+
+
+_ATTICS = frozenset({"attic", "loft"})
+_LONGEST_UNKNOWN = 3
+"""Words of a room that nobody knows, at most."""
 
 
 class _Walk:
@@ -170,7 +175,8 @@ class _Walk:
             place = self._within(self.places[number], scope)
             rest = [n for k, n, _ in items[position + 1 :] if k == "phrase"]
             roof = self.reading.word(place.last - 1) == "roof" and place.last - place.first < 5
-            if scope is not None and roof and not self.reading.starts(place.first):
+            attic = scope is not None and not _ATTICS.isdisjoint(self.reading.words(scope.last, scope.last + 4))
+            if scope is not None and roof and not attic and not self.reading.starts(place.first):
                 continue  # "second floor: a bedroom under the roof"
             holds = place.refs[0].kind == "basement" and self.reading.word(place.last) in HOLDING and rest
             if holds and not self._opens_sentence(place, left):
@@ -184,6 +190,8 @@ class _Walk:
             elif self._is_prenominal(place, rest):
                 self._give(rest[0], place, trailing=False)
                 items[position + 1 :] = [item for item in items[position + 1 :] if item[:2] != ("phrase", rest[0])]
+            elif not left and self._follows_unknown(place):
+                continue
             elif left and self._puts_it(place):
                 self._give_all(left[-1:], place)
             elif left and self._follows(place, left):
@@ -193,7 +201,10 @@ class _Walk:
                 left = []
             elif self._trails(place, left):
                 self._give_all(self._claimed(place, left, opened=opened), place)
-                self._give_all(self._in_brackets_after(place, rest) or self._held_with(place, rest), place)
+                self._give_all(self._in_brackets_after(place, rest), place)
+                held = self._held_with(place, rest)
+                self._give_all(held, place)
+                items[position + 1 :] = [i for i in items[position + 1 :] if i[0] != "phrase" or i[1] not in held]
                 left = []
                 self.trailing = place if not opened and place.refs[0].kind in ("number", "upper", "top") else None
                 if self._goes_on(place):
@@ -262,6 +273,16 @@ class _Walk:
         while not reading.breaks(end) and reading.word(end) != ")":
             end += 1
         return [number for number in rest if self.phrases[number].last <= end]
+
+    def _follows_unknown(self, place: Place) -> bool:
+        """Whether a storey stands behind words that nobody knows: "smoke maze on the first floor, a workshop ..."."""
+        reading = self.reading
+        first = place.first
+        while first > 0 and not reading.breaks(first - 1) and place.first - first <= _LONGEST_UNKNOWN:
+            first -= 1
+        words = range(first, place.first)
+        unknown = all(reading.kind(at) == "word" and reading.word(at) not in FUNCTION_WORDS for at in words)
+        return place.led and 0 < len(words) <= _LONGEST_UNKNOWN and unknown and reading.word(place.last) == ","
 
     def _held_with(self, place: Place, rest: list[int]) -> list[int]:
         """Return what "with" tells of a room behind its storey: "an office on the ground floor with two rooms"."""
@@ -441,7 +462,7 @@ class _Walk:
             between = tuple(
                 word
                 for at, word in zip(sized, between, strict=True)
-                if self.reading.kind(at) not in ("number", "unit") and word != "of"
+                if self.reading.kind(at) not in ("number", "unit", "ordinal") and word != "of"
             )
             furnished = self.phrases[chosen[-1]].head == "object" and between[:1] == ("with",)
             if furnished and between[1:] in ((), ("a",), ("an",), ("its",)) and joined:
@@ -516,7 +537,10 @@ class _Walk:
             for a, b in itertools.pairwise(left)
             if self.phrases[b].head != "object"  # "a hall with counters and machines, an office"
         ]
-        return len(joints) > 1 and all(_AND.isdisjoint(words) for words in joints)
+        plain = [words[: words.index("for")] if "for" in words else words for words in joints]
+        if len(plain) > 2 and _AND.isdisjoint(plain[-1]):
+            return True  # "a pool and a bath, changing rooms, showers, a sauna upstairs"
+        return len(joints) > 1 and all(_AND.isdisjoint(words) for words in plain)
 
     def _suits(self, number: int, place: Place) -> bool:
         phrase = self.phrases[number]

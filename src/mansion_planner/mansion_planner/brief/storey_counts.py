@@ -32,7 +32,7 @@ STOREY_ADJECTIVES = frozenset(
     full whole habitable residential office guest typical additional more storied underground basement parking
     subterranean identical sale
     trading exhibition teaching production main equal different separate small large big classroom hotel retail
-    working usable living successive consecutive more hall
+    working usable living successive consecutive more hall stack ward patient archive storage lab laboratory
     """.split()
 )
 UPSTAIRS = frozenset("upper other guest remaining sleeping bedroom residential".split())

@@ -43,6 +43,9 @@ _MARKS = frozenset({":", "-", "=", "(", "\n", "–"})
 
 _SIZED = frozenset({":", "of", "is", "about", "around", "approx", "roughly", "area", "size", "="})
 
+_PLATES = frozenset({("floor", "plate"), ("floor", "plan"), ("ground", "area")})
+"""What the footprint is called."""
+
 _Found = tuple[list[Token], int]
 
 
@@ -283,7 +286,7 @@ class _Forms:
         sized = self._word(index + 2) in _SIZED or (
             index + 2 < len(self.tokens) and self.tokens[index + 2].kind == "number"
         )
-        if token.text == "floor" and following in ("plate", "plan") and sized:
+        if (token.text, following) in _PLATES and sized:
             return [replace(token, text="footprint", end=self.tokens[index + 1].end)], index + 2
         below = self.text[token.end : token.end + 2].strip() in ("-", "–", "−") and self._number(index + 2) > 0
         if token.text in ("floor", "level") and following in ("-", "–") and below and self._word(index + 3) in _MARKS:

@@ -5,6 +5,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from mansion_language import Token
+from mansion_planner.brief.storey_forms import ABOVE_GROUND
 
 __all__ = ["storey_headings"]
 
@@ -32,9 +33,11 @@ _LONGEST_CLAUSE = 12
 
 def storey_headings(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
     """Return the tokens with each such heading at the start of a sentence, with a noun and a colon."""
-    found = _rooms_each(_one_and_another(tokens, floor_words), floor_words)
+    found = _shared_out(_one_and_another(tokens, floor_words), floor_words)
+    found = _rooms_each(found, floor_words)
     found = _numbers_in_a_row(_split_decimals(found, floor_words), floor_words)
     found = _by_bracket(found, floor_words)
+    found = _above_rooms(_behind_rooms(_with_marks(found), floor_words), floor_words)
     found = _set_apart(_without_uses(found, floor_words), floor_words)
     return _with_colons(_by_ordinals(found, floor_words), floor_words)
 
@@ -119,6 +122,28 @@ def _one_and_another(tokens: list[Token], floor_words: AbstractSet[str]) -> list
     return tokens
 
 
+def _shared_out(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Read "8 flats on two floors (4 per floor)" as "two floors, 4 flats on each floor"."""
+    for index in range(len(tokens) - 5):
+        texts = [token.text for token in tokens[index : index + 5]]
+        bracket = texts[0] == "(" and texts[2] in ("per", "each", "a") and texts[3] in floor_words and texts[4] == ")"
+        if not bracket or tokens[index + 1].kind != "number":
+            continue
+        each = tokens[index + 1].value
+        storeys = tokens[index - 2].value if index > 1 and tokens[index - 1].text in floor_words else 0
+        lead = index - 3
+        total = next((at for at in range(lead, max(lead - 8, -1), -1) if tokens[at].value == each * storeys), None)
+        if not storeys or total is None or tokens[lead].text not in ("on", "over", "across", "in"):
+            continue
+        count = replace(tokens[index + 1], start=tokens[total].start, end=tokens[total].end)
+        at = tokens[index + 2]
+        every = [replace(at, text="on"), replace(at, text="each", start=at.end), tokens[index + 3]]
+        comma = Token("mark", ",", tokens[index - 1].end, tokens[index - 1].end)
+        held = [count, *tokens[total + 1 : lead], *every]
+        return [*tokens[:total], *tokens[index - 2 : index], comma, *held, *tokens[index + 5 :]]
+    return tokens
+
+
 def _rooms_each(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
     """Read "three levels above ground, sixteen rooms each" as "three levels, each with sixteen rooms"."""
     result: list[Token] = []
@@ -187,16 +212,23 @@ def _titled(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> i
 
 def _without_uses(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
     """Read "L2-L4: wards, each level with ten rooms" without the wards: the rooms are what the storeys hold."""
-    for index, token in enumerate(tokens[:-5]):
-        noun = index + 1 + (tokens[index + 1].kind == "word" and tokens[index + 2].kind == "word")
-        used = token.text == ":" and tokens[noun].kind == "word" and tokens[noun].plural
-        if not used or _text(tokens, noun + 1) != "," or _text(tokens, noun + 2) not in ("each", "every"):
-            continue
-        storey = _text(tokens, noun + 3) in floor_words and _text(tokens, noun + 4) in ("with", "has", "having")
-        headed = any(t.kind == "level" or t.text in floor_words for t in tokens[max(index - 5, 0) : index])
-        if storey and headed:
-            return [*tokens[: index + 1], *_without_uses(tokens[noun + 5 :], floor_words)]
-    return tokens
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        result.append(tokens[index])
+        index = _after_use(tokens, index, floor_words) or index + 1
+    return result
+
+
+def _after_use(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> int:
+    """Return the token after ": wards, each level with" that begins at a token, or 0."""
+    if tokens[index].text != ":" or index + 6 > len(tokens):
+        return 0
+    noun = index + 1 + (tokens[index + 1].kind == "word" and tokens[index + 2].kind == "word")
+    used = tokens[noun].kind == "word" and tokens[noun].plural and _text(tokens, noun + 1) == ","
+    each = _text(tokens, noun + 2) in ("each", "every") and _text(tokens, noun + 3) in floor_words
+    headed = any(t.kind == "level" or t.text in floor_words for t in tokens[max(index - 5, 0) : index])
+    return noun + 5 if used and each and headed and _text(tokens, noun + 4) in ("with", "has", "having") else 0
 
 
 def _set_apart(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
@@ -226,6 +258,104 @@ def _tells_who(token: Token) -> bool:
 
 
 _WAYS = frozenset("flight floor storey level way one stair step deck further half all the very".split())
+
+
+_SHORT = frozenset({"g", "basement", "roof", "attic"})
+"""Names of storeys beside which a number before "=" is one too."""
+
+
+def _with_marks(tokens: list[Token]) -> list[Token]:
+    """Read "G = lobby", "1 = wards" and "; up - two offices" with a colon, where other storeys are headed so."""
+    heads = {
+        at for at, token in enumerate(tokens[:-1])
+        if _starts(tokens, at) and tokens[at + 1].text == "="
+        and (token.kind in ("number", "level") or token.text in _SHORT)
+    }  # fmt: skip
+    headed = len(heads) > 1 and any(tokens[at].text in _SHORT for at in heads)
+    grounded = any(tokens[at].text == "g" for at in heads)
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        after_head = headed and index - 1 in heads
+        sides = _text(tokens, index - 1) in ("up", "down", "above", "below") and _starts(tokens, index - 1)
+        dash = token.text in ("-", "–") and sides and token.spaced
+        if after_head and tokens[index - 1].kind == "number":
+            result[-1] = replace(result[-1], kind="level", text=ABOVE_GROUND if grounded else f"l{result[-1].text}")
+        result.append(replace(token, kind="mark", text=":") if after_head or dash else token)
+    return result
+
+
+_NOT_BEFORE = frozenset(
+    """
+    the a an on in at of to from for and or with our its each every all both per first second third one is are be as
+    over above below under than by through until into only this that no without not , ( - – : ; .
+    """.split()
+)
+"""Words and marks before a storey that is named in a form of its own."""
+
+
+def _behind_rooms(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Read "classrooms and lounge first floor, bedrooms second floor" with "on the" before the storeys."""
+    others = {at for at, token in enumerate(tokens) if token.text in floor_words | _OTHER_STOREYS}
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        if token.kind == "ordinal" and token.value == 1 and _text(tokens, index + 1) in ("basement", "cellar"):
+            continue  # "the first basement level"
+        named = token.kind == "ordinal" or token.text in ("ground", "top")
+        storey = named and _text(tokens, index + 1) in floor_words and not tokens[index + 1].plural
+        closed = index + 2 >= len(tokens) or tokens[index + 2].text in _ENDS | {","}
+        before = tokens[index - 1] if index else None
+        room = before is not None and before.kind == "word" and before.text not in _NOT_BEFORE | floor_words
+        room = room and before is not None and len(before.text) > 1 and not _starts(tokens, index - 1)
+        grounded = before is not None and before.text == "all" and token.text == "ground"
+        if storey and closed and (room or grounded) and _other_than(others, index):
+            at = token.start
+            if grounded and _text(tokens, index - 2) in ("-", "–"):
+                result[-2] = replace(result[-2], kind="mark", text=",")
+            result += [Token("word", "on", at, at), Token("word", "the", at, at)]
+        result.append(token)
+    return result
+
+
+_OTHER_STOREYS = frozenset({"upstairs", "upstair", "downstairs", "basement"})
+
+
+def _other_than(storeys: AbstractSet[int], index: int) -> bool:
+    """Whether storeys stand elsewhere than at a token and the one after it."""
+    return len(storeys) > (index in storeys) + (index + 1 in storeys)
+
+
+_HOMES = frozenset({"flat", "apartment", "maisonette", "home"})
+_LIVED_IN = frozenset({"bedroom", "bed", "living", "kitchen"})
+_OWN = frozenset({"her", "his", "their", "our", "my", "the", "a", "an"})
+
+
+def _above_rooms(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token]:
+    """Read "Above the shop: her apartment, bedroom, bath" as "upper floor: her apartment has bedroom, bath"."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        token = tokens[index]
+        noun = index + 1 + (_text(tokens, index + 1) in _OWN)
+        headed = token.text in ("above", "over") and _starts(tokens, index) and noun > index + 1
+        colon = noun + 1 if _text(tokens, noun + 1) == ":" else noun + 2
+        if not headed or _text(tokens, colon) != ":" or not all(t.kind == "word" for t in tokens[noun:colon]):
+            result.append(token)
+            index += 1
+            continue
+        if tokens[noun].text in floor_words | {"ground"}:
+            result.append(token)
+            index += 1
+            continue
+        floor = Token("word", "floor", token.end, tokens[colon - 1].end)
+        result += [replace(token, text="upper"), floor, tokens[colon]]
+        index = colon + 1
+        home = index + (_text(tokens, index) in _OWN)
+        lists = {t.text for t in tokens[home : home + 12]} & _LIVED_IN
+        if _text(tokens, home) in _HOMES and _text(tokens, home + 1) in (",", ":", "-") and lists:
+            article = Token("word", "a", tokens[home].start, tokens[home].start)
+            result += [article, tokens[home], Token("word", "with", tokens[home].end, tokens[home].end)]
+            index = home + 2
+    return result
 
 
 def _heading_end(tokens: list[Token], index: int, floor_words: AbstractSet[str]) -> int:

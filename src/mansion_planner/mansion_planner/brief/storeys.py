@@ -5,9 +5,11 @@ top"), as a set ("every floor", "all but the last") or from the storey named bef
 """
 
 from dataclasses import replace
+from itertools import pairwise
 
 from mansion_planner.brief.elliptic_storeys import EllipticStoreys
 from mansion_planner.brief.facts import FloorRef, Quantity
+from mansion_planner.brief.implied_storeys import named_of_tower
 from mansion_planner.brief.named_storeys import COPULAS, TOPS, NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
@@ -38,6 +40,8 @@ def read_storeys(reading: Reading) -> list[Place]:
     scanner.scan()
     if not reading.facts.floors and reading.implied_storeys:
         reading.facts.floors.append(max(reading.implied_storeys, key=lambda quantity: quantity.value))
+    if not reading.facts.floors and (named := named_of_tower(reading, scanner.places)) is not None:
+        reading.facts.floors.append(named)
     settle_counts(reading)
     floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
     places = [_with_edges(reading, place) if place.last > place.first else place for place in scanner.places]
@@ -142,14 +146,15 @@ def _with_edges(reading: Reading, place: Place) -> Place:
         last += 3 * (reading.word(last + 3) == ",")  # "on the second floor, the highest, ten offices"
     if reading.word(last) == "(" and reading.word(last + 2) == ")" and reading.kind(last + 1) == "word":
         last += 3
-    last = _after_remark(reading, last)
+    each = reading.words(last, last + 3) == (",", "each", ":") and not reading.starts(first)
+    last = last if each else _after_remark(reading, last)  # "four flats on every floor, each: a bedroom"
     counted = reading.kind(last + 1) == "number" and reading.words(last + 2, last + 4) == ("of", "them")
     heading = (reading.word(last) in (":", "=") and not counted) or (
         reading.starts(first) and reading.word(last) in ("\n", "-")
     )
     reading.take(first, last)
-    each = place.refs[0].kind == "every" and reading.kind(place.first - 1) in ("word", "number")
-    return replace(place, first=first, last=last, led=led or each, heading=heading or place.heading)
+    every = place.refs[0].kind == "every" and reading.kind(place.first - 1) in ("word", "number")
+    return replace(place, first=first, last=last, led=led or every, heading=heading or place.heading)
 
 
 def _after_remark(reading: Reading, index: int) -> int:
@@ -193,6 +198,9 @@ class _Scanner:
         self.previous: FloorRef | None = None
         texts = [token.text for token in reading.tokens]
         self.has_floors = not FLOOR_WORDS.isdisjoint(texts) or "ground" in texts or "upstairs" in texts
+        self.has_floors = self.has_floors or {"lower", "upper"} <= {
+            token.text for token, after in pairwise(reading.tokens) if after.text == ":"
+        }
         self.numbered = NumberedStoreys(reading, self.places, has_floors=self.has_floors)
         self.named = NamedStoreys(reading, has_floors=self.has_floors, british=self.numbered.british)
         self.elliptic = EllipticStoreys(reading, has_floors=self.has_floors)
@@ -226,7 +234,10 @@ class _Scanner:
         if self._holds_each(index, last):
             every = FloorRef("every", span=self.reading.span(index, last))
             self.places.append(Place(index, last, (every,), led=True))
-        if "upper" in self.reading.words(index, last) and holds:
+        words = self.reading.words(index, last)
+        typical = not {"typical", "identical", "residential"}.isdisjoint(words)
+        typical = typical and any(ref.kind == "number" and ref.last == 1 for place in self.places for ref in place.refs)
+        if ("upper" in words or typical) and holds:
             ref = FloorRef("upper", span=self.reading.span(index, last))
             self.places.append(Place(index, last, (ref,), led=False))
 

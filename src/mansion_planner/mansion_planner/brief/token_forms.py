@@ -36,6 +36,8 @@ def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
         if last is not None and (last.text, token.text) == ("double", "height") and not token.spaced:
             joined[-1] = replace(token, text="double-height", start=last.start, spaced=last.spaced)
             continue
+        if token.text == "bed" and last is not None and last.kind == "number" and _has_own_bath(tokens, index + 1):
+            token = replace(token, text="bedroom", plural=last.value > 1)  # "2 bed attached bath each"
         beds = len(joined) > 1 and joined[-2].kind == "number" and not joined[-1].spaced  # "two-bed rooms"
         if (last is not None and (last.text, token.text) in _APART and not beds) or (
             last is not None
@@ -47,6 +49,13 @@ def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
         else:
             joined.append(token)
     return joined
+
+
+def _has_own_bath(tokens: list[Token], index: int) -> bool:
+    """Whether "(with) attached bath" follows a bed, which is a bedroom then."""
+    texts = [token.text for token in tokens[index : index + 3]]
+    texts = texts[1:] if texts[:1] == ["with"] else texts
+    return texts[:1] in (["attached"], ["ensuite"]) and texts[1:2] in (["bath"], ["bathroom"], ["toilet"], ["washroom"])
 
 
 _APART = frozenset(
