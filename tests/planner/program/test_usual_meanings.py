@@ -188,10 +188,3 @@ def test_plain_names_mean_what_such_a_building_has(brief: str, name: str, kind: 
 def test_toilets_for_some_in_a_public_building_have_several_cubicles(brief: str, kind: str) -> None:
     rooms = [room for floor in floors(brief) for room in floor.rooms if "toilet" in room.id]
     assert {room.room_type for room in rooms if room.room_type != "accessible_toilet"} == {kind}
-
-
-def test_the_shop_of_a_bakery_is_where_customers_come_in() -> None:
-    (ground,) = floors("a bakery with a shop, a bakehouse and a cold room")
-    assert [(room.id, room.name) for room in ground.rooms if room.room_type in ("shop", "sales_area")] == [
-        ("sales_area", "shop")
-    ]

@@ -492,7 +492,10 @@ class _Walk:
             and self.reading.word(other.first) in _UP_AND_DOWN
         ]
         told = {_UP_AND_DOWN[self.reading.word(other.first)] for other in ends}
-        return place in ends and len(ends) == len(told) == 2 and self._closes(ends[1])
+        if place not in ends or not len(ends) == len(told) == 2:
+            return False
+        bracketed = "(" in self.reading.words(ends[0].last, ends[1].first)
+        return self._closes(ends[1]) and not bracketed
 
     def _is_set_off(self, first: int, second: int) -> bool:
         """Whether a comma stands between two phrases."""

@@ -23,7 +23,7 @@ _MEANT = {
     "storage_room": ("stock_room",), "storage": ("stock_room",), "store_room": ("stock_room",),
     "stall": ("food_stall",), "seating": ("restaurant", "cafeteria", "cafe"),
     "seating_area": ("restaurant", "cafeteria", "cafe"), "library": ("library_room",),
-    "cinema_hall": ("home_theater",), "shop": ("sales_area",), "library_room": ("reading_room",),
+    "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
 }  # fmt: skip
 """Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
 
