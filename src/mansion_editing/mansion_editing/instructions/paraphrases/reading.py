@@ -7,6 +7,7 @@ from typing import Final
 
 import msgspec
 
+from mansion_editing.instructions.paraphrases.listed_articles import with_article_for_each
 from mansion_editing.instructions.paraphrases.patterns import (
     CLAUSE_START,
     DETERMINERS,
@@ -15,6 +16,8 @@ from mansion_editing.instructions.paraphrases.patterns import (
     without_idioms,
 )
 from mansion_editing.instructions.paraphrases.remarks import without_remarks
+from mansion_editing.instructions.paraphrases.titles import without_titles
+from mansion_editing.instructions.paraphrases.trailing_rooms import with_room_first
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import GERUNDS, PARTICIPLES, VERB_WORDS
 from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, UNRECORDED, VAGUE
@@ -75,7 +78,8 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         where no wording is understood, what was read of the instruction's own.
     """
     lexicon = Lexicon(state)
-    plainly = without_misread_pairs(without_idioms(text), lexicon)
+    plainly = without_idioms(with_room_first(without_titles(text, lexicon), lexicon))
+    plainly = without_misread_pairs(plainly, lexicon)
     first = read_instruction(plainly, state, brief)
     if plainly != text:
         first, text = msgspec.structs.replace(first, read_as=plainly), plainly
@@ -188,8 +192,8 @@ def _taken_back(read: Instruction, text: str) -> str:
 
 def reworded(text: str, lexicon: Lexicon) -> str:
     """Return a text in the plain words of what it asks for."""
-    plain = with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
-    return without_misread_pairs(plain, lexicon)
+    running = with_article_for_each(without_arrows(in_running_text(text)), lexicon)
+    return without_misread_pairs(with_known_verbs(in_plain_words(running), lexicon), lexicon)
 
 
 def _wordings(

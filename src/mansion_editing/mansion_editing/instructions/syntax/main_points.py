@@ -112,6 +112,7 @@ class _Points:
     remarks: list[str] = field(default_factory=list)
     names_rooms: bool = False
     described: list[str] = field(default_factory=list)
+    named_again: list[str] = field(default_factory=list)
 
     def add(self, clause: Clause, *, tells: bool) -> None:
         """Add a clause.
@@ -301,6 +302,9 @@ class _Points:
         _Uncertain
         """
         new = self._antecedent(word.text)
+        if new in self.named_again[:1] and self.asked:
+            return "", before  # "bring both of them down and put them on the desk"
+        self.named_again[:] = [new] if new else self.named_again
         bare = new.removeprefix("the ")
         if new and len(before) > 1 and before[-1].text == "of" and before[-2].tag == "number" and self._is_kind(bare):
             return bare, before[:-1]  # "bandages! there should be ten of them"
