@@ -440,6 +440,7 @@ def anchors_of(state: SceneState, place: Place, context: Context) -> list[SceneO
         anchor = msgspec.structs.replace(anchor, place=within)
     found = things_of(state, anchor, context)
     rooms = None if place.rooms is None else set(rooms_of(state, place.rooms, context))
+    found = found if rooms is not None else _kind_in_same_room(state, anchor, found, context)
     if (
         rooms is None
         and anchor.definite
@@ -448,6 +449,19 @@ def anchors_of(state: SceneState, place: Place, context: Context) -> list[SceneO
     ):
         found = [item for item in found if item.room in context.rooms] or found
     return _as_many([item for item in found if rooms is None or item.room in rooms], anchor)
+
+
+def _kind_in_same_room(
+    state: SceneState, anchor: Things, found: list[SceneObject], context: Context
+) -> list[SceneObject]:
+    """Return the display fridge of the room that was mentioned before as ``the fridge``, where it has no other."""
+    named = bool(anchor.noun) and anchor.definite and not (anchor.plural or anchor.refers or anchor.owned)
+    told = anchor.place is not None or anchor.colour or anchor.material or anchor.ordinal or anchor.size
+    if not named or told or len(context.rooms) != 1 or any(item.room in context.rooms for item in found):
+        return found
+    ending = f"_{anchor.noun.replace(' ', '_')}"
+    kinds = [item for _, item in state.objects() if item.room in context.rooms and item.category.endswith(ending)]
+    return kinds or found
 
 
 def _as_many(found: list[SceneObject], anchor: Things) -> list[SceneObject]:

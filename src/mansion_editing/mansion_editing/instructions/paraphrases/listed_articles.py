@@ -8,10 +8,13 @@ from mansion_language.inflection import singular
 
 __all__ = ["with_article_for_each"]
 
-_BARE: Final = r"(?!(?:the|an?|all|both|some|any|my|our|your|his|her|their|its|this|that|it|them|one|two)\b)[a-z-]+(?: [a-z-]+)?"
+_BARE: Final = (
+    r"(?!(?:the|an?|all|both|some|any|my|our|your|his|her|their|its|this|that|it|them|one|two)\b)[a-z-]+(?: [a-z-]+)?"
+)
 _LIST: Final = re.compile(
     rf"\bthe (?P<first>[a-z-]+(?: [a-z-]+)?)(?P<middle>(?:, {_BARE}){{0,4}}),? and (?P<last>{_BARE})"
-    r"(?= (?:in|on|from|off|under|out|away|upstairs|downstairs|has|have|must|should|can|could|may|go|belongs?|is|are)\b)",
+    r"(?= (?:in|on|from|off|under|out|away|upstairs|downstairs)\b"
+    r"| (?:has|have|must|should|can|could|may|go|belongs?|is|are)\b)",
     re.IGNORECASE,
 )
 
@@ -21,7 +24,9 @@ def with_article_for_each(text: str, lexicon: Lexicon) -> str:
 
     def each(match: re.Match[str]) -> str:
         names = [match["first"], *(name for name in match["middle"].split(", ") if name), match["last"]]
-        if not all(lexicon.is_object((*name.lower().split()[:-1], singular(name.lower().split()[-1]))) for name in names):
+        if not all(
+            lexicon.is_object((*name.lower().split()[:-1], singular(name.lower().split()[-1]))) for name in names
+        ):
             return match.group()
         first, *others = (f"the {name}" for name in names)
         return ", ".join([first, *others[:-1]]) + f" and {others[-1]}"

@@ -8,6 +8,7 @@ from typing import Final
 import msgspec
 
 from mansion_editing.instructions.paraphrases.listed_articles import with_article_for_each
+from mansion_editing.instructions.paraphrases.owned_furniture import with_room_after
 from mansion_editing.instructions.paraphrases.patterns import (
     CLAUSE_START,
     DETERMINERS,
@@ -78,7 +79,7 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         where no wording is understood, what was read of the instruction's own.
     """
     lexicon = Lexicon(state)
-    plainly = without_idioms(with_room_first(without_titles(text, lexicon), lexicon))
+    plainly = with_room_after(without_idioms(with_room_first(without_titles(text, lexicon), lexicon)), lexicon)
     plainly = without_misread_pairs(plainly, lexicon)
     first = read_instruction(plainly, state, brief)
     if plainly != text:
@@ -171,8 +172,15 @@ def _lacks_antecedent(read: Instruction) -> bool:
     return isinstance(things, Things) and things.refers == "last" and not things.noun
 
 
+_IN_FIGURE: Final = re.compile(r"\bin \d+(?!\w|\.\d)(?! \w)")
+
+
 def _is_at_bare_number(statement: Statement) -> bool:
     """Whether a statement is about things in ``2``, the number of a room that was only told of."""
+    goal = getattr(statement, "place", None)
+    at_it = goal.anchor if isinstance(goal, Place) else None
+    if at_it is not None and at_it.refers == "last" and not at_it.noun and _IN_FIGURE.search(statement.quote):
+        return True
     things = getattr(statement, "things", None)
     place = things.place if isinstance(things, Things) else None
     anchor = None if place is None else place.anchor

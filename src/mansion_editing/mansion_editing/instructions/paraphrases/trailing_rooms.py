@@ -12,6 +12,12 @@ _TRAILING: Final = re.compile(
     r"^(?P<order>[^.!?;:]+?)(?:,| -|[.!]| \() ?(?P<room>(?:(?!and\b|or\b)[A-Za-z'-]+ ){0,3}[\w'-]+)"
     r"(?P<storey>,? (?:on )?(?:the )?(?:\w+ floor|upstairs|downstairs))?(?:,? please)?\)?[.!]?\s*$"
 )
+_HEADING: Final = re.compile(
+    r"^(?P<room>(?:the )?(?:[a-z'-]+ ){0,3}[\w'-]+), (?:on )?(?:the )?(?P<storey>(?:ground|first|second|third|fourth|"
+    r"fifth|sixth|top|upper|lower) floor)[.:] ",
+    re.IGNORECASE,
+)
+"""A room and its storey, before what is to be done there."""
 _ARTICLE: Final = re.compile(r"^(?:the|our|my) ", re.IGNORECASE)
 
 
@@ -20,6 +26,11 @@ def with_room_first(text: str, lexicon: Lexicon) -> str:
 
     Only where the order names no room of its own.
     """
+    heading = _HEADING.match(text)
+    if heading is not None:
+        room = tuple(singular(word.lower()) for word in _ARTICLE.sub("", heading["room"]).split())
+        where = f"{heading['room']} on the {heading['storey']}: "
+        return where + text[heading.end() :] if lexicon.is_own_room(room) else text
     match = _TRAILING.match(text)
     if match is None:
         return text

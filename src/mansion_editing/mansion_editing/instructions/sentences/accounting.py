@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, Final
 
 import msgspec
@@ -34,8 +35,9 @@ from mansion_editing.instructions.statements import (
 )
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["laid_on_seats", "unaccounted"]
+__all__ = ["brought_after_moving", "laid_on_seats", "unaccounted"]
 
+_BROUGHT_IN: Final = re.compile(r"\b(?:comes?|goes|brought|bring|put) in\b", re.IGNORECASE)
 _NEGATIONS: Final = frozenset("not no never neither nor none without".split())
 _DENYING: Final = (Remove, Clear, Forbid, Keep, SetState, Ask, Reach, Swap, Replace)
 """Statements that a negation may stand in: what goes or stays, or a state that is the other one."""
@@ -238,3 +240,15 @@ def laid_on_seats(statements: Sequence[Statement]) -> list[str]:
         and one.place.anchor.noun.split()[-1:] != []
         and one.place.anchor.noun.split()[-1] in _SEATS
     ]
+
+
+def brought_after_moving(statements: Sequence[Statement]) -> list[str]:
+    """Return what ``comes in`` after something went to another room: into which of the two is not told."""
+    acting = [s for s in statements if not isinstance(s, Mention | Keep)]
+    found: list[str] = []
+    for before, one in pairwise(acting):
+        away = isinstance(before, Move) and before.place.rooms is not None and bool(before.place.rooms.words)
+        rooms = one.place.rooms if isinstance(one, Add | Ensure) and one.place.anchor is None else None
+        if away and rooms is not None and rooms.same and not rooms.words and _BROUGHT_IN.search(one.quote):
+            found.append(one.quote)
+    return found

@@ -216,6 +216,8 @@ class Asides(Progress):
             return False
         if words and (words[0].text in _RELATIVE | _EXCEPTING or begins_with_state(words) or _corrects(words)):
             return False
+        if _go_elsewhere(words):
+            return False
         if words and (words[0].text in _ALIKE or (words[0].text == "so" and text_at(words, 1) in BE | MODALS | {"do"})):
             return False
         joints = [at for at, word in enumerate(words) if word.text in _CUTS | _JOINTS | BEFORE_VERBS | {"or"}]
@@ -435,6 +437,17 @@ def _rooms_within(reader: ClauseReader) -> list[Rooms]:
     items = (reader.item(at) for at in range(1, len(reader.words)) if reader.text(at - 1) in ("in", "into"))
     rooms = [item.rooms() for item in items if item is not None and item.is_room and item.phrase.definite]
     return [one for at, one in enumerate(rooms) if one.words and one not in rooms[:at]]
+
+
+def _go_elsewhere(words: Sequence[Word]) -> bool:
+    """Whether things go somewhere: ``the two others leave for the hall``, ``the office loses the sofa``."""
+    for at, word in enumerate(words[1:], start=1):
+        thing = not {before.text for before in words[:at]} & (PERSONS | PEOPLE)
+        if thing and word.raw in ("leave", "leaves", "lose", "loses"):
+            return True
+        if words[0].text in ("what", "whatever") and word.raw in ("moves", "goes", "comes", "belongs", "move", "go"):
+            return True  # "what is on it moves to the hall"
+    return False
 
 
 def _other_than_holder(named: Sequence[Things], later: Sequence[Word]) -> Things:
