@@ -114,6 +114,7 @@ def test_what_goes_out_of_a_leading_room_is_of_that_room(furnished_state: SceneS
         "Make sure that a plant is in the hall and that the fan hums along.",
         "Move the sofa to the kitchen, and a table comes in.",
         "The chairs lying about in the hall are needed somehow.",
+        "The guest complained that the fridge is empty. Give him two colas.",
     ],
 )
 def test_what_may_mean_two_things_is_not_understood(said: str, furnished_state: SceneState) -> None:

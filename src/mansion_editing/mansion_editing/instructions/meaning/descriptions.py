@@ -21,6 +21,7 @@ from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.relations import relation_holds
 from mansion_editing.tools.tops import carries_on_top
+from mansion_knowledge.object_kinds import substitutes
 from mansion_msgs_py.editing.objects import Side
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.late_imports import importing
@@ -459,9 +460,9 @@ def _kind_in_same_room(
     told = anchor.place is not None or anchor.colour or anchor.material or anchor.ordinal or anchor.size
     if not named or told or len(context.rooms) != 1 or any(item.room in context.rooms for item in found):
         return found
-    ending = f"_{anchor.noun.replace(' ', '_')}"
-    kinds = [item for _, item in state.objects() if item.room in context.rooms and item.category.endswith(ending)]
-    return kinds or found
+    kind = anchor.noun.replace(" ", "_")
+    known = {category for category in substitutes(kind) if category.endswith(f"_{kind}")}  # a dog bed is no bed
+    return [i for _, i in state.objects() if i.room in context.rooms and i.category in known] or found
 
 
 def _as_many(found: list[SceneObject], anchor: Things) -> list[SceneObject]:

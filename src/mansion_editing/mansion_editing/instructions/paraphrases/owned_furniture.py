@@ -9,7 +9,8 @@ from mansion_language.inflection import singular
 __all__ = ["with_room_after"]
 
 _OWNED: Final = re.compile(
-    r"\b(?P<on>on|in|off|from|under|beside|behind|out of|next to) the (?P<words>(?:[a-z]+(?:'s)? ){1,4}?[a-z]+)"
+    r"\b(?P<on>on|in|off|from|under|beside|behind|out of|next to) the "
+    r"(?P<words>(?:(?!(?:the|an?|our|my|all|both|and)\b)[a-z]+(?:'s)? ){1,4}?[a-z]+)"
     r"(?= (?:up |down |over |across |back )*(?:to|into|onto|go|goes|belongs?|must|should|has to|have to|can)\b)",
     re.IGNORECASE,
 )

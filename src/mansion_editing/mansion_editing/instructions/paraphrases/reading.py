@@ -22,6 +22,7 @@ from mansion_editing.instructions.paraphrases.trailing_rooms import with_room_fi
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import GERUNDS, PARTICIPLES, VERB_WORDS
 from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, UNRECORDED, VAGUE
+from mansion_editing.instructions.sentences.accounting import brought_beside_empty
 from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import (
     Add,
@@ -98,6 +99,8 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         read = read_instruction(said.text, state, brief)
         doubtful = bool(said.remarks) and (_only_keeps(read) or _may_ask(said, state, brief))
         doubtful = doubtful or (bool(points and points[0].remarks) and not said.remarks and _lacks_antecedent(read))
+        told = [Mention(quote=remark) for remark in said.remarks]
+        doubtful = doubtful or bool(brought_beside_empty([*told, *read.statements], lexicon))
         if _is_clear(read, said.text) and not doubtful:
             left = [Mention(quote=remark, passed_over=True) for remark in said.remarks]
             asked = _counting_those_there(read.statements, said.remarks)
