@@ -108,7 +108,14 @@ class Keeping(Staying, Wishes, TooMany, Arranging, Removing):
 
     def _left_there(self, at: int, place: int, items: list[Item]) -> tuple[list[Statement], int]:
         """Read ``leave the sofa alone``, and ``leave two mugs on the desk``, which puts them there."""
+        where_they_are = [i for i in items if i.phrase.definite and i.places and i.places[-1].place.former is not None]
+        if where_they_are and self.text(at) in ("leave", "keep") and where_they_are == items[-1:]:
+            stays = [*items[:-1], Item(items[-1].phrase, items[-1].places[:-1], items[-1].end)]
+            quote = self.quote(at, items[-1].end)
+            return [Keep(things=self._kept(i), quote=quote) for i in stays], items[-1].end
         item, end = items[0], self._past_there(items[-1].end)
+        if item.phrase.amount.of and self.text(at) == "leave":
+            raise NotUnderstood(at, end)  # "leave two of the three sofas in the hall": what becomes of the third?
         alone = end
         while self.text(alone) in KEPT_AS_IT_IS:
             alone += 1

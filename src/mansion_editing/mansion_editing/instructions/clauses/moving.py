@@ -72,6 +72,10 @@ class Moving(Shifting):
                 goal = self._framed((goal, False))[0]  # "in the study, move the desk to the window"
             spared = tuple(msgspec.structs.replace(one, noun=one.noun or things.noun) for one in besides)
             things = msgspec.structs.replace(things, beside=spared)
+            new = item.phrase.amount.kind == "more" and self.text(item.phrase.start) != "another"
+            if new and source == Place() and not item.phrase.definite:
+                out.append(Add(things=things, place=goal, quote=quote))  # "roll out one more mat next to it"
+                continue
             if self._comes_beside(item, own, goal):
                 goal = msgspec.structs.replace(goal, relation="beside")
             out.append(Move(things=self._all_if_plural(things), place=goal, quote=quote))

@@ -14,6 +14,7 @@ from mansion_editing.instructions.clauses.taking import Taking
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import MASSES
 from mansion_editing.instructions.statements import (
     JOINED,
     Add,
@@ -49,12 +50,31 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
 
     def _done_within_frame(self, statement: Statement) -> Statement:
         """Return ``magazines gone`` after ``Lounge:`` as those of the lounge."""
+        if isinstance(statement, Remove | Move):
+            statement = msgspec.structs.replace(statement, things=_whole_mass(statement.things))
+        if isinstance(statement, Move):
+            return self._out_of_frame(statement)
         if not isinstance(statement, Remove | SetState | Paint | Replace | Turn):
             return statement
         things = statement.things
         if things.place is not None or things.refers:
             return statement
         return msgspec.structs.replace(statement, things=self._within_frame(things))
+
+    def _out_of_frame(self, move: Move) -> Move:
+        """Return ``In the hall, the chairs go to the office`` as those of the hall to the office, whichever is next."""
+        frame, goal = self.frame.rooms, move.place.rooms
+        if frame is None or goal is None or not (frame.words and goal.words):
+            return move
+        if goal.next_to != frame.words:
+            elsewhere = goal.words != frame.words and not goal.same and move.things.place is None
+            bare = elsewhere and bool(move.things.noun) and not (move.things.refers or move.or_new)
+            return msgspec.structs.replace(move, things=self._within_frame(move.things)) if bare else move
+        floors = () if goal.floors == frame.floors else goal.floors
+        number = 0 if goal.number == frame.number else goal.number
+        rooms = msgspec.structs.replace(goal, next_to="", floors=floors, number=number, every=False)
+        place = msgspec.structs.replace(move.place, rooms=rooms)
+        return msgspec.structs.replace(move, things=self._within_frame(move.things), place=place)
 
     def _clause(self, at: int) -> tuple[list[Statement], int]:
         """Read the clause at a place by the first of the readers that understands it."""
@@ -232,6 +252,15 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
             else:
                 out += [_sparing(s, besides) for s in self._there(item, self._shared_goal(items, item), quote)]
         return out, end
+
+
+def _whole_mass(things: Things) -> Things:
+    """Return ``the beer in the fridge`` as all that is there."""
+    held = things.place is not None and things.place.anchor is not None and not things.refers
+    mass = things.noun.rpartition(" ")[2] in MASSES and things.definite and not things.plural
+    if not (held and mass) or things.amount.kind != "some" or things.amount.number:
+        return things
+    return msgspec.structs.replace(things, amount=Amount(kind="all", number=0), plural=True)
 
 
 def sparing(statement: SetState | Remove | Paint | Move, besides: tuple[Things, ...]) -> Statement:

@@ -29,6 +29,9 @@ class Removing(Moving):
         holders = all(self.lexicon.encloses(i.phrase.noun.words) for i in items)
         if (self.text(at), self.text(at + 1)) == ("clear", "out") and holders and not _leaves(items[-1]):
             return self._clear(at, place)
+        top = all(self.lexicon.stands(i.phrase.noun.words) for i in items) and not _leaves(items[-1])
+        if (self.text(at), self.text(at + 1)) == ("clear", "off") and top:
+            return self._clear(at, place)  # "clear off the table": not the table itself
         if taking and any(p.goal and not p.source for p in items[-1].places):
             return self._move(at, place)
         if self.text(at) == "put" and any(_holds(p.place) for p in items[-1].places if not (p.source or p.relative)):

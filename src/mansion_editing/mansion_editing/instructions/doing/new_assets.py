@@ -43,8 +43,8 @@ def assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, l
 def like_those_there(
     things: Things, assets: list[AssetInfo], rooms: Collection[str], state: SceneState
 ) -> list[AssetInfo]:
-    """Return the assets for ``more mats`` with yoga mats first, where all mats of the rooms are of that kind."""
-    if things.amount.kind != "more" or things.colour or things.material or things.hints:
+    """Return the assets for ``more mats``, ``exactly five`` yoga mats first, where all of the rooms are."""
+    if things.amount.kind not in ("more", "exactly") or things.colour or things.material or things.hints:
         return assets
     every = Things(noun=things.noun, amount=Amount(kind="all", number=0), definite=True, plural=True)
     kinds = {item.category for item in things_of(state, every, Context()) if item.room in rooms}

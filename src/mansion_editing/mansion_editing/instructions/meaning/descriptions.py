@@ -21,6 +21,7 @@ from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.relations import relation_holds
 from mansion_editing.tools.tops import carries_on_top
+from mansion_knowledge.object_kinds import substitutes
 from mansion_msgs_py.editing.objects import Side
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.late_imports import importing
@@ -440,6 +441,7 @@ def anchors_of(state: SceneState, place: Place, context: Context) -> list[SceneO
         anchor = msgspec.structs.replace(anchor, place=within)
     found = things_of(state, anchor, context)
     rooms = None if place.rooms is None else set(rooms_of(state, place.rooms, context))
+    found = found if rooms is not None else _kind_in_same_room(state, anchor, found, context)
     if (
         rooms is None
         and anchor.definite
@@ -448,6 +450,19 @@ def anchors_of(state: SceneState, place: Place, context: Context) -> list[SceneO
     ):
         found = [item for item in found if item.room in context.rooms] or found
     return _as_many([item for item in found if rooms is None or item.room in rooms], anchor)
+
+
+def _kind_in_same_room(
+    state: SceneState, anchor: Things, found: list[SceneObject], context: Context
+) -> list[SceneObject]:
+    """Return the display fridge of the room that was mentioned before as ``the fridge``, where it has no other."""
+    named = bool(anchor.noun) and anchor.definite and not (anchor.plural or anchor.refers or anchor.owned)
+    told = anchor.place is not None or anchor.colour or anchor.material or anchor.ordinal or anchor.size
+    if not named or told or len(context.rooms) != 1 or any(item.room in context.rooms for item in found):
+        return found
+    kind = anchor.noun.replace(" ", "_")
+    known = {category for category in substitutes(kind) if category.endswith(f"_{kind}")}  # a dog bed is no bed
+    return [i for _, i in state.objects() if i.room in context.rooms and i.category in known] or found
 
 
 def _as_many(found: list[SceneObject], anchor: Things) -> list[SceneObject]:

@@ -72,6 +72,8 @@ def _rank(room: SceneRoom, name: str, number: str | None) -> int:
     if number is not None and not re.search(rf"(?:_|\b){number}$", room.id):
         return 0
     kind = stems(room.room_type.replace("_", " "))
+    if wanted == ("room",):
+        return 1 if any(text[-2:] == ("room", number) for text in called) else 0  # "room 3" is consultation room 3
     if wanted == kind:
         return 5
     bare = tuple(word for word in wanted if word != "room")

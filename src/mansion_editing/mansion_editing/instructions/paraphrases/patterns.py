@@ -30,7 +30,10 @@ _MACROS: Final = {
     "end": r"(?=\s*(?:[.!?;\n]|$))",
     "np": rf"(?:(?:{DETERMINERS})\b{_FURTHER_WORDS})",
     "new": rf"(?:(?:an?|another|some|{_NUMBERS})\b{_FURTHER_WORDS})",
-    "known": rf"(?:(?:the|our|my|this|that|these|those|both|all|every|her|his|their)\b{_FURTHER_WORDS})",
+    "known": (
+        r"(?:(?:the|our|my|this|that(?! (?:the|our|my|it|they|there|all|both|every|an?))|these|those|both|all|every"
+        rf"|her|his|their)\b{_FURTHER_WORDS})"
+    ),
     "determiner": DETERMINERS,
     "num": f"(?:{_NUMBERS})",
     "I": "(?:I|we)",

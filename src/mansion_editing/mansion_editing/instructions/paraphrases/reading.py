@@ -7,6 +7,8 @@ from typing import Final
 
 import msgspec
 
+from mansion_editing.instructions.paraphrases.listed_articles import with_article_for_each
+from mansion_editing.instructions.paraphrases.owned_furniture import with_room_after
 from mansion_editing.instructions.paraphrases.patterns import (
     CLAUSE_START,
     DETERMINERS,
@@ -15,9 +17,12 @@ from mansion_editing.instructions.paraphrases.patterns import (
     without_idioms,
 )
 from mansion_editing.instructions.paraphrases.remarks import without_remarks
+from mansion_editing.instructions.paraphrases.titles import without_titles
+from mansion_editing.instructions.paraphrases.trailing_rooms import with_room_first
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import GERUNDS, PARTICIPLES, VERB_WORDS
 from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, UNRECORDED, VAGUE
+from mansion_editing.instructions.sentences.accounting import brought_beside_empty
 from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import (
     Add,
@@ -75,7 +80,8 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         where no wording is understood, what was read of the instruction's own.
     """
     lexicon = Lexicon(state)
-    plainly = without_misread_pairs(without_idioms(text), lexicon)
+    plainly = with_room_after(without_idioms(with_room_first(without_titles(text, lexicon), lexicon)), lexicon)
+    plainly = without_misread_pairs(plainly, lexicon)
     first = read_instruction(plainly, state, brief)
     if plainly != text:
         first, text = msgspec.structs.replace(first, read_as=plainly), plainly
@@ -93,6 +99,8 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         read = read_instruction(said.text, state, brief)
         doubtful = bool(said.remarks) and (_only_keeps(read) or _may_ask(said, state, brief))
         doubtful = doubtful or (bool(points and points[0].remarks) and not said.remarks and _lacks_antecedent(read))
+        told = [Mention(quote=remark) for remark in said.remarks]
+        doubtful = doubtful or bool(brought_beside_empty([*told, *read.statements], lexicon))
         if _is_clear(read, said.text) and not doubtful:
             left = [Mention(quote=remark, passed_over=True) for remark in said.remarks]
             asked = _counting_those_there(read.statements, said.remarks)
@@ -167,8 +175,15 @@ def _lacks_antecedent(read: Instruction) -> bool:
     return isinstance(things, Things) and things.refers == "last" and not things.noun
 
 
+_IN_FIGURE: Final = re.compile(r"\bin \d+(?!\w|\.\d)(?! \w)")
+
+
 def _is_at_bare_number(statement: Statement) -> bool:
     """Whether a statement is about things in ``2``, the number of a room that was only told of."""
+    goal = getattr(statement, "place", None)
+    at_it = goal.anchor if isinstance(goal, Place) else None
+    if at_it is not None and at_it.refers == "last" and not at_it.noun and _IN_FIGURE.search(statement.quote):
+        return True
     things = getattr(statement, "things", None)
     place = things.place if isinstance(things, Things) else None
     anchor = None if place is None else place.anchor
@@ -188,8 +203,8 @@ def _taken_back(read: Instruction, text: str) -> str:
 
 def reworded(text: str, lexicon: Lexicon) -> str:
     """Return a text in the plain words of what it asks for."""
-    plain = with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
-    return without_misread_pairs(plain, lexicon)
+    running = with_article_for_each(without_arrows(in_running_text(text)), lexicon)
+    return without_misread_pairs(with_known_verbs(in_plain_words(running), lexicon), lexicon)
 
 
 def _wordings(

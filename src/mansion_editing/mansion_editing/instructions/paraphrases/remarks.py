@@ -132,6 +132,8 @@ def _is_remark(words: Sequence[Word], lexicon: Lexicon) -> bool:
     texts = [word.text for word in words]
     if texts[:2] == ["that", "is"] and text_at(words, 2) in PREPOSITIONS:
         return False
+    if texts[0] == "that" and text_at(words, 1) in DETERMINERS:
+        return False  # "make sure that ... and that the fan runs"
     if words[0].raw.endswith("ed") and not lexicon.is_object((texts[0],)):
         return False  # "switched on so I can find it" is how the thing shall be
     if texts[0] in ("what", "whatever") and {*texts} & {"go", "out", "away", "leave"}:
@@ -235,6 +237,8 @@ def _describes(rest: Sequence[Word], lexicon: Lexicon) -> bool:
     texts = [word.text for word in rest]
     first = texts[0]
     if first in MODALS and not (len(texts) > 1 and (texts[1] == "not" or rest[0].text == "cannot")):
+        return False
+    if ("to", "be") in pairwise(texts):
         return False
     if {*texts[:3]} & _GOING and not rest[0].raw.endswith("ed"):
         return False

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, Final
 
 import msgspec
@@ -33,9 +34,12 @@ from mansion_editing.instructions.statements import (
     When,
 )
 from mansion_language.colours import COLOUR_WORDS
+from mansion_language.inflection import singular
 
-__all__ = ["laid_on_seats", "unaccounted"]
+__all__ = ["brought_after_moving", "brought_beside_empty", "laid_on_seats", "unaccounted"]
 
+_EMPTY: Final = re.compile(r"\b(?:is|are|looks?)(?: almost| nearly| quite| completely| still)? empty\b")
+_BROUGHT_IN: Final = re.compile(r"\b(?:comes?|goes|brought|bring|put) in\b", re.IGNORECASE)
 _NEGATIONS: Final = frozenset("not no never neither nor none without".split())
 _DENYING: Final = (Remove, Clear, Forbid, Keep, SetState, Ask, Reach, Swap, Replace)
 """Statements that a negation may stand in: what goes or stays, or a state that is the other one."""
@@ -238,3 +242,29 @@ def laid_on_seats(statements: Sequence[Statement]) -> list[str]:
         and one.place.anchor.noun.split()[-1:] != []
         and one.place.anchor.noun.split()[-1] in _SEATS
     ]
+
+
+def brought_beside_empty(statements: Sequence[Statement], lexicon: Lexicon) -> list[str]:
+    """Return what comes to a room after words that what holds things is empty: whether it goes in there is not told."""
+    told = ""
+    for statement in statements:
+        if isinstance(statement, Mention):
+            told = statement.quote.lower() if _EMPTY.search(statement.quote) else told
+        elif told and isinstance(statement, Add | Ensure) and statement.place.anchor is None:
+            holds = any(lexicon.encloses((singular(word),)) for word in re.findall(r"[a-z]+", told))
+            return [statement.quote] if holds else []
+        else:
+            return []
+    return []
+
+
+def brought_after_moving(statements: Sequence[Statement]) -> list[str]:
+    """Return what ``comes in`` after something went to another room: into which of the two is not told."""
+    acting = [s for s in statements if not isinstance(s, Mention | Keep)]
+    found: list[str] = []
+    for before, one in pairwise(acting):
+        away = isinstance(before, Move) and before.place.rooms is not None and bool(before.place.rooms.words)
+        rooms = one.place.rooms if isinstance(one, Add | Ensure) and one.place.anchor is None else None
+        if away and rooms is not None and rooms.same and not rooms.words and _BROUGHT_IN.search(one.quote):
+            found.append(one.quote)
+    return found

@@ -216,6 +216,8 @@ class Asides(Progress):
             return False
         if words and (words[0].text in _RELATIVE | _EXCEPTING or begins_with_state(words) or _corrects(words)):
             return False
+        if _go_elsewhere(words):
+            return False
         if words and (words[0].text in _ALIKE or (words[0].text == "so" and text_at(words, 1) in BE | MODALS | {"do"})):
             return False
         joints = [at for at, word in enumerate(words) if word.text in _CUTS | _JOINTS | BEFORE_VERBS | {"or"}]
@@ -251,7 +253,8 @@ class Asides(Progress):
         self.listed = list(listed_in(self._reader(words))) if taken_up else []
         rooms = None
         if taken_up and named:
-            self.topic = self._told_of(words, named[0]) if named[0].noun else self._lacking(words)
+            first = _other_than_holder(named, later)
+            self.topic = self._told_of(words, first) if first.noun else self._lacking(words)
             rooms = None if named[0].noun or named[0].place is None else named[0].place.rooms
         own = _own_rooms(self._reader(words)) if taken_up and not nouns else []
         rooms = own[0] if len(own) == 1 else rooms
@@ -434,6 +437,25 @@ def _rooms_within(reader: ClauseReader) -> list[Rooms]:
     items = (reader.item(at) for at in range(1, len(reader.words)) if reader.text(at - 1) in ("in", "into"))
     rooms = [item.rooms() for item in items if item is not None and item.is_room and item.phrase.definite]
     return [one for at, one in enumerate(rooms) if one.words and one not in rooms[:at]]
+
+
+def _go_elsewhere(words: Sequence[Word]) -> bool:
+    """Whether things go somewhere: ``the two others leave for the hall``, ``the office loses the sofa``."""
+    for at, word in enumerate(words[1:], start=1):
+        thing = not {before.text for before in words[:at]} & (PERSONS | PEOPLE)
+        if thing and word.raw in ("leave", "leaves", "lose", "loses"):
+            return True
+        if words[0].text in ("what", "whatever") and word.raw in ("moves", "goes", "comes", "belongs", "move", "go"):
+            return True  # "what is on it moves to the hall"
+    return False
+
+
+def _other_than_holder(named: Sequence[Things], later: Sequence[Word]) -> Things:
+    """Return the thing that ``one on each table`` is one of, after words about the tables and the candles."""
+    holders = {word.text for at, word in enumerate(later) if text_at(later, at - 1) in ("each", "every", "the")}
+    counted = any(word.text == "one" for word in later)
+    others = [things for things in named if things.noun and not holders & {*things.noun.split()[-1:]}]
+    return others[0] if counted and others and named[0].noun else named[0]
 
 
 def _named(reader: ClauseReader) -> tuple[Things, ...]:

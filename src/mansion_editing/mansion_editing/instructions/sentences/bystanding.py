@@ -43,7 +43,8 @@ _ASKING: Final = MODALS | NEED | frozenset(
     "please let make wish prefer like love fancy expect missing belong deserve instead only just another more less "
     "fewer exactly least most each every all both half either or to too longer anymore if unless when until except "
     "wrong same supposed due ready nice good great better best ask demand than unwanted superfluous surplus "
-    "unnecessary redundant enough plenty ample sufficient suffice insist suggest recommend propose beg urge".split()
+    "unnecessary redundant wanted needed required enough plenty ample sufficient suffice "
+    "insist suggest recommend propose beg urge".split()
 )  # fmt: skip
 """Words of clauses that may ask for something, though their form only tells."""
 

@@ -31,7 +31,8 @@ from mansion_language.colours import COLOUR_WORDS
 __all__ = ["counts_people", "is_circumstance"]
 
 _OBLIGING: Final = frozenset(
-    "should must shall ought would might please let supposed rather insist suggest recommend propose beg urge".split()
+    "should must shall ought would might please let supposed wanted needed required rather "
+    "insist suggest recommend propose beg urge".split()
 )
 """Words by which something is asked for, whoever the subject is."""
 

@@ -17,7 +17,12 @@ from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import PRINTED, TOPICS
 from mansion_editing.instructions.phrases.words import MODALS, STATE_WORDS, UNRECORDED, Word
-from mansion_editing.instructions.sentences.accounting import laid_on_seats, unaccounted
+from mansion_editing.instructions.sentences.accounting import (
+    brought_after_moving,
+    brought_beside_empty,
+    laid_on_seats,
+    unaccounted,
+)
 from mansion_editing.instructions.sentences.antecedents import (
     about_its_room,
     brought_together,
@@ -145,7 +150,8 @@ class _Reader(
         self.statements = [one_more_there(s, self.statements[:number]) for number, s in enumerate(self.statements)]
         self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
         self.unknown += self._instead_of_nothing() + self._complained_in_vain()
-        self.unknown += laid_on_seats(self.statements)
+        self.unknown += laid_on_seats(self.statements) + brought_after_moving(self.statements)
+        self.unknown += brought_beside_empty(self.statements, self.lexicon)
         self.unknown += [s.quote for s in self.statements if isinstance(s, Mention) and _FOR_ALL.match(s.quote)]
         if not self.unknown:
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()

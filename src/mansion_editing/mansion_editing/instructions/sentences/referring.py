@@ -197,6 +197,10 @@ class Referring(Progress):
                 return msgspec.structs.replace(value, things=topic, place=where, or_new=not topic.amount.of)
             if isinstance(value, Rooms) and value.same and not value.words and rooms:
                 return rooms
+            held = topic.place is not None and topic.place.anchor is not None and topic.amount.number > 1
+            if isinstance(value, Place) and held and value.relation in ("on", "in") and _is_bare_it(value.anchor):
+                where = topic.place or Place()  # "four cups on the table, and the mug on it must go"
+                return msgspec.structs.replace(value, anchor=where.anchor, rooms=value.rooms or where.rooms)
             if isinstance(value, Things) and value.refers == "last" and not value.noun:
                 told_whole = topic.amount.kind == "all" and (topic.each or value.amount.number == topic.amount.number)
                 if value.amount.number and value.amount.kind == "some" and not told_whole:

@@ -263,7 +263,8 @@ def given_but_to(statement: Add | Ensure, spared: Sequence[Things]) -> Add | Ens
     place = statement.place
     anchor, rooms = place.anchor, place.rooms
     spared_rooms = [one.place.rooms for one in spared if not one.noun and one.place is not None and one.place.rooms]
-    if anchor is None and rooms is not None and rooms.every and len(spared_rooms) == len(spared):
+    one = anchor is None or anchor.amount.kind == "some"  # "on the desk in every office except office 3"
+    if one and rooms is not None and rooms.every and len(spared_rooms) == len(spared):
         but = tuple(msgspec.structs.replace(one, every=False) for one in spared_rooms)
         place = msgspec.structs.replace(place, rooms=msgspec.structs.replace(rooms, but=(*rooms.but, *but)))
         return msgspec.structs.replace(statement, place=place)

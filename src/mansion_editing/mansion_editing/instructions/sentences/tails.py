@@ -484,6 +484,10 @@ class Tails(EndingNumbers, Resulting, Counting):
         found = read_condition(reader, at, things)
         if found is None or not last:
             return 0
+        joined = "and" in (reader.text(at), reader.text(at - 1)) or "but" in (reader.text(at), reader.text(at - 1))
+        after = found[1] - (reader.text(found[1] - 1) == ",")
+        if joined and reader.text(after) == "," and reader.starts_clause(after + 1):
+            return 0  # "..., and if the lamp is off, turn it on"
         start = self.text.find(last[0].quote)
         quote = self.text[max(0, start) : reader.words[found[1] - 1].end]
         self.clause = [on_condition(msgspec.structs.replace(s, quote=quote), found[0]) for s in last]

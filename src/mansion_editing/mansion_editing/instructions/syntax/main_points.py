@@ -1,5 +1,6 @@
 """An instruction without the clauses that only tell something; what pronouns took up of them stands in their place."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Final
@@ -23,6 +24,9 @@ from mansion_language.inflection import plural, singular
 
 __all__ = ["MainPoints", "main_points"]
 
+_EXISTS: Final = re.compile(r"there (?:should|must|shall) be\b")
+_IN_IT: Final = re.compile(r" in (?:it|there)\b")
+"""What means the room that is told of, where nothing but what shall be there is named."""
 _PRONOUNS: Final = frozenset("it them they this that these those both".split())
 _THAT: Final = frozenset("that this the those these".split())
 _ONES: Final = frozenset(["one", "ones"])
@@ -112,6 +116,7 @@ class _Points:
     remarks: list[str] = field(default_factory=list)
     names_rooms: bool = False
     described: list[str] = field(default_factory=list)
+    named_again: list[str] = field(default_factory=list)
 
     def add(self, clause: Clause, *, tells: bool) -> None:
         """Add a clause.
@@ -169,7 +174,7 @@ class _Points:
         rooms = self._told_rooms()
         named = any(one.kind == "room" and not one.told for mentions in self.mentions for one in mentions)
         if len(rooms) == 1 and not (named or self.names_rooms) and rooms[0] not in whole:
-            return f"in {rooms[0]}, {whole}{mark}"
+            return f"in {rooms[0]}, {_IN_IT.sub('', whole, count=1) if _EXISTS.match(whole) else whole}{mark}"
         return f"{whole}{mark}"
 
     def _shared_subject(self, clause: Clause) -> list[TaggedWord]:
@@ -301,6 +306,9 @@ class _Points:
         _Uncertain
         """
         new = self._antecedent(word.text)
+        if new in self.named_again[:1] and self.asked:
+            return "", before  # "bring both of them down and put them on the desk"
+        self.named_again[:] = [new] if new else self.named_again
         bare = new.removeprefix("the ")
         if new and len(before) > 1 and before[-1].text == "of" and before[-2].tag == "number" and self._is_kind(bare):
             return bare, before[:-1]  # "bandages! there should be ten of them"

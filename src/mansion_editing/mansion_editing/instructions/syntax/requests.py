@@ -25,6 +25,8 @@ _TASTES: Final = frozenset("like love prefer fancy appreciate".split())
 _PLACING: Final = frozenset(
     "belong go come stay remain become join get move keep leave replace make stand live sit hang lie face".split()
 )
+_CHANGING: Final = frozenset("lose gain receive vanish disappear run".split())
+"""Verbs by which something becomes of things and rooms: ``the office loses its sofa``."""
 _RESTING: Final = frozenset("stand live sit hang lie face".split())
 """Verbs that only say where something is, without a modal."""
 _STAYING: Final = frozenset(["stay", "remain"])
@@ -89,7 +91,8 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     if clause.form == "statement" and texts[0] == "what" and {*texts} & {"go", "goes", "out", "away", "leave"}:
         return False  # "what was there before can go"
     if clause.form == "statement" and texts[0] == "what":
-        return not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
+        placed = any(word.verb in _PLACING - _RESTING for word in said)  # "what is on it moves to the hall"
+        return not placed and not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
     if clause.form == "question" and said[0].tag == "have" and len(said) > 2 and said[1].tag == "somebody":
         return any(word.text in ("seen", "noticed", "found", "heard") for word in said)  # "has anybody seen the cat?"
     if clause.form == "question":
@@ -194,6 +197,10 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     placed = main.verb in _PLACING - _RESTING and main.form in ("third", "base") and not making
     if placed and not _goes_on_doing(rest):
         return not somebody or main.verb == "keep"
+    if not somebody and ("to", "be") in pairwise(texts) and names_something(subject, lexicon):
+        return True  # "the bikes are the ones to be switched off"
+    if main.verb in _CHANGING and main.form in ("third", "base") and names_something(subject, lexicon):
+        return not somebody
     if main.verb in ("suffice", "suggest", "insist", "ask", "propose", "recommend"):
         return True
     return _measures(texts[1:]) and (counted or not somebody or names_something(rest, lexicon))
