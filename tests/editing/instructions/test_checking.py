@@ -79,6 +79,11 @@ def test_nothing_done_is_a_fault_where_something_was_asked(furnished_state: Scen
     assert [type(one).__name__ for one in asked if not fault(one, furnished_state, copied(furnished_state), HERE)] == []
 
 
+def test_adding_none_is_a_fault_even_where_none_came(furnished_state: SceneState) -> None:
+    none = Add(things=Things(noun="laptop", amount=Amount(kind="none")), place=Place(rooms=Rooms(words="hall")))
+    assert "say what is to be removed" in fault(none, furnished_state, copied(furnished_state), HERE)
+
+
 def test_what_holds_already_needs_nothing(furnished_state: SceneState) -> None:
     hall = Place(rooms=Rooms(words="hall"))
     asked: list[Statement] = [

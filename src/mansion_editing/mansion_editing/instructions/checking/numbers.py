@@ -73,6 +73,8 @@ def check_add(statement: Add, before: SceneState, after: SceneState, context: Co
     at = joined_by_room(place, shares, at_shares(after, alike, shares, context))
     new = set().union(*at)
     number = new_number(things)
+    if number == 0:
+        return Finding("none is wanted there, and that adds nothing: say what is to be removed")
     counts = [len(ids) for ids in at]
     if is_shared_out(things, place, each=statement.each):
         holds = len(new) == number
