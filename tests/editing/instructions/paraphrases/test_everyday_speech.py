@@ -41,13 +41,13 @@ def _asked(text: str, state: SceneState) -> list[Statement]:
             "I can get from the hall to the kitchen.",
         ),
         (
-            "We no longer play, so is the need for the sofa. Out with it!".replace(
-                "We no longer play", "The dog is gone"
-            ),
+            "The dog is gone, so is the need for the sofa. Out with it!",
             "Remove the sofa.",
         ),
         ("The sofa in the hall is wanted in the kitchen.", "Move the sofa in the hall to in the kitchen."),
         ("The sofa can go, hall.", "In the hall, the sofa can go."),
+        ("Mind that the fridge is shut afterwards.", "Make sure that the fridge is shut."),
+        ("Make it five chairs instead of three in the hall.", "There should be exactly five chairs in the hall."),
         (
             "Every room on the first floor except the hall should have a plant.",
             "Every room on the first floor should have a plant except the hall.",

@@ -40,13 +40,21 @@ def best_named(rooms: Sequence[SceneRoom], words: str, *, every: bool = False) -
     if not best:
         return []
     if not every:
-        return [room for room in ordered if ranks[room.id] == best]
+        # Where none is called so, "the bedroom" may be the master bedroom as well as a children's bedroom.
+        also = [room.id for room in ordered if best == 3 and ranks[room.id] == 2 and _is_called_so(room, name)]
+        return [room for room in ordered if ranks[room.id] == best or room.id in also]
     # Other words for a kind mean rooms of it only where none is called so, unless its name ends with them.
     return [
         room
         for room in ordered
         if ranks[room.id] >= min(best, 2) and (best < 4 or ranks[room.id] != 3 or _ends_so(room, name))
     ]
+
+
+def _is_called_so(room: SceneRoom, name: str) -> bool:
+    """Whether the name that people read ends with a name, numbers aside: "Children's bedroom 2" is a bedroom."""
+    wanted, called = _read_like(name), _read_like(_numbered(room.name)[0])
+    return bool(wanted) and called[-len(wanted) :] == wanted
 
 
 def _ends_so(room: SceneRoom, name: str) -> bool:
