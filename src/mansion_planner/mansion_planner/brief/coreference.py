@@ -38,7 +38,8 @@ def coreferences(
     )
     for number in rooms:
         phrase = phrases[number]
-        long = next((n for n in rooms if n < number and _is_short_for(reading, phrase, phrases[n])), None)
+        longer = rooms if _may_be_short(reading, phrase) else ()
+        long = next((n for n in longer if n < number and _is_short_for(phrase, phrases[n])), None)
         if long is not None:
             same[number] = long
             continue
@@ -67,11 +68,16 @@ class _Relations:
     apart: frozenset[int]
 
 
-def _is_short_for(reading: Reading, phrase: Phrase, other: Phrase) -> bool:
-    """Whether a name is another one in short: "a network operations centre (NOC)", "the mocap stage"."""
+def _may_be_short(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a name may be one that was given in full before: in brackets, definite, or in capitals."""
     again = reading.word(phrase.first - 1) == "(" or phrase.determiner in _DEFINITE or phrase.label.isupper()
+    return again and not phrase.counted
+
+
+def _is_short_for(phrase: Phrase, other: Phrase) -> bool:
+    """Whether a name is another one in short: "a network operations centre (NOC)", "the mocap stage"."""
     words, others = phrase.name.split("_"), other.name.split("_")
-    if not again or phrase.counted or len(others) < 2:
+    if len(others) < 2:
         return False
     if len(words) == 1:
         return words[0] == "".join(word[0] for word in others if word)

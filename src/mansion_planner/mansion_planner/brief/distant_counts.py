@@ -359,12 +359,9 @@ def without_totals(
         sentence = reading.sentence[total.first]
         parts = [n for n in rooms[position + 1 :] if reading.sentence[phrases[n].first] == sentence]
         placed = [n for n in parts if phrases[n].name == total.name and phrases[n].counted and n in attached]
-        named = [
-            n
-            for n, phrase in enumerate(phrases)
-            if total.last < phrase.first < _bracket_end(reading, total.last)
-            and phrase.name.startswith(f"{total.name}_")
-        ]
+        end = _bracket_end(reading, total.last)
+        within = enumerate(phrases) if end > total.last else ()
+        named = [n for n, p in within if total.last < p.first < end and p.name.startswith(f"{total.name}_")]
         shared = sum((phrases[n].count or 0) * _storeys(attached[n], floors) for n in placed)
         bracketed = len(named) == total.count
         if placed and shared == total.count:

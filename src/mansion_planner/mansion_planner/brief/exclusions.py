@@ -100,6 +100,8 @@ _AFTER = (
         )
     ],
 )
+_FIRST_AFTER = frozenset(words[0] for words in _AFTER)
+"""Words that those begin with; nearly no token is one of them."""
 _ENDS = frozenset(
     {
         "(",
@@ -179,7 +181,8 @@ _WORDS_BETWEEN = frozenset({"also", "too", "upstairs", "upstair", "downstairs", 
 
 def _refusing_words(reading: Reading, last: int) -> tuple[str, ...]:
     """Return the words right after a phrase that say that it is not wanted: "is not needed", ", no"; or nothing."""
-    after = next((p for p in _AFTER if reading.words(last, last + len(p)) == p), None)
+    begins = reading.word(last) in _FIRST_AFTER
+    after = next((p for p in _AFTER if reading.words(last, last + len(p)) == p), None) if begins else None
     leads_on = after == (":", "no") and not (reading.breaks(last + 2) or reading.word(last + 2) in (",", ")", "and"))
     if after is not None and not leads_on:  # "not like a hospital: no operating room"
         return after

@@ -66,6 +66,8 @@ def _take(reading: Reading, first: int, measure: Measure) -> None:
     reading.named_areas.add(measure.first)
 
 
+_MOST_TOLD = 60
+"""Tokens after several rooms in which it is told whose each is."""
 _OWN = frozenset({"ours", "mine", "his", "hers", "theirs"})
 """Whose one of several rooms is, in the place of its noun."""
 
@@ -77,7 +79,7 @@ def _owners_parts(reading: Reading, phrase: Phrase, begins: dict[int, Measure]) 
     """
     found: list[tuple[int, int, Measure]] = []
     at = phrase.last
-    while not reading.breaks(at):
+    while at - phrase.last < _MOST_TOLD and not reading.breaks(at):
         opens = reading.word(at - 1) in _OPENERS | {"and"}
         many, end = _owner_at(reading, at) if opens else (0, at)
         while many and end not in begins and _leads(reading, end) and end - at < _MOST_LEADS + 4:

@@ -22,7 +22,7 @@ def relative_areas(tokens: list[Token]) -> list[Token]:
     index = 0
     while index < len(tokens):
         last = _share_end(tokens, index)
-        base = _area_before(result)
+        base = _area_before(result) if last != index else None
         if last == index or base is None:
             result.append(tokens[index])
             index += 1

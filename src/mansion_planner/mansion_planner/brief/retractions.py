@@ -33,6 +33,8 @@ _WITHDRAWING = (
     *[(*lead, "no") for lead in (("on", "second", "thought"), ("on", "reflection"), ("actually",), ("wait",))],
     *[(*lead, ",", "no") for lead in (("on", "second", "thought"), ("on", "reflection"), ("actually",), ("wait",))],
 )
+_LAST_WITHDRAWING = frozenset(words[-1] for words in _WITHDRAWING)
+"""Words that those end with; nearly all tokens follow none of them."""
 """Words before the name of what was named earlier and is not wanted any more."""
 _REACH = 30
 """Tokens between what is named and its withdrawal, at most."""
@@ -120,6 +122,8 @@ def _take_withdrawn_words(reading: Reading, phrases: Sequence[Phrase]) -> None:
 
 def _withdrawing(reading: Reading, index: int) -> int:
     """Return of how many tokens the words are that withdraw what begins at a token; 0 where none do."""
+    if reading.word(index - 1) not in _LAST_WITHDRAWING:
+        return 0
     lengths = [len(words) for words in _WITHDRAWING if reading.words(index - len(words), index) == words]
     length = max(lengths, default=0)
     return 0 if reading.word(index - length - 1) == "not" else length

@@ -172,8 +172,9 @@ def _is_of_suite(tokens: list[Token], index: int) -> bool:
     """Whether a bedroom, or the mark after it, opens "each suite = bedroom + bathroom": it is the suite itself."""
     at = index - (tokens[index].text in ("+", ","))
     bedroom = at >= 2 and tokens[at].text == "bedroom" and tokens[at - 1].text in ("=", "has", "with", "of")
-    suites = any(token.text == "bedroom" and _text(tokens, k + 1) == "suite" for k, token in enumerate(tokens[:at]))
-    return bedroom and tokens[at - 2].text == "suite" and _text(tokens, at + 1) in ("+", ",") and suites
+    if not (bedroom and tokens[at - 2].text == "suite" and _text(tokens, at + 1) in ("+", ",")):
+        return False
+    return any(token.text == "bedroom" and _text(tokens, k + 1) == "suite" for k, token in enumerate(tokens[:at]))
 
 
 _BATHS = frozenset({"bath", "bathroom", "ba", "ensuite", "shower", "wc"})

@@ -128,15 +128,16 @@ def _total_of_each(tokens: list[Token], index: int) -> int:
     at += at < len(tokens) and tokens[at].kind == "word" and _word(tokens, at) not in ("in", "altogether", "and")
     texts = tuple(token.text for token in tokens[at : at + 2])
     total = next((len(words) for words in _IN_ALL if texts[: len(words)] == words), 0)
+    bare = _word(tokens, number - 1) == "so" and at == number + 1 and _word(tokens, at) in _ENDS | {""}
+    if not (total or bare):
+        return 0
     first = index
     while first > 0 and tokens[first - 1].text not in (".", "\n", "!", "?"):
         first -= 1
     said = {token.text for token in tokens[max(first - 1, 0) : index]} | {
         _word(tokens, at) for at in range(first)[-40:]
     }
-    shared = not {"each", "every", "per", "both"}.isdisjoint(said)
-    bare = _word(tokens, number - 1) == "so" and at == number + 1 and _word(tokens, at) in _ENDS | {""}
-    if not shared or not (total or bare):
+    if {"each", "every", "per", "both"}.isdisjoint(said):
         return 0
     end = at + total
     return end + (_word(tokens, index) == "(" and _word(tokens, end) == ")") - index
@@ -173,13 +174,15 @@ _PARTING = frozenset(
 
 def _signature(tokens: list[Token], index: int) -> int:
     """Return of how many tokens "Thanks!! Marta" is at the end of a text; else 0."""
+    if tokens[index].text not in _PARTING:
+        return 0
     rest = tokens[index + 1 :]
     named = [token for token in rest if token.kind != "mark"]
     ends = len(named) < _LONGEST and all(token.kind == "word" and token.capital for token in named[-2:])
     talk = all(
         token.capital or token.text in _PARTING | {"and", "from", "a", "lot", "in", "advance"} for token in named
     )
-    return len(rest) + 1 if tokens[index].text in _PARTING and named and ends and talk else 0
+    return len(rest) + 1 if named and ends and talk else 0
 
 
 def _on_stage(tokens: list[Token], index: int) -> int:

@@ -191,11 +191,13 @@ class _Units:
             kind = _NOUNS.get(reading.word(index), "")
             if reading.word(index) in _PARTS_OF_HOMES and self._is_home():
                 kind = "common_room"
+            if not kind or self.one_home:
+                continue
             read = any(
                 p.begin <= index < p.noun_end and ((p.known and p.room_type) or p.head in ("object", "people"))
                 for p in self.phrases
             )
-            if not kind or read or self.one_home:
+            if read:
                 continue
             begin = index
             if reading.word(index - 1) in _WORKPLACES:
