@@ -3,7 +3,7 @@
     python benchmarks/planning/score_facts.py benchmarks/planning/briefs/training.json out/facts [--jobs 2]
 
 A list holds briefs with facts that a careful reader would agree to. `first_sight.json` to `eleventh_sight.json`,
-`fourteenth_sight.json` to `twentieth_sight.json` were written apart and scored once, before anyone read them; the
+`fourteenth_sight.json` to `twentyfirst_sight.json` were written apart and scored once, before anyone read them; the
 reader has since been mended on what they showed, as on the other lists (`training_3.json` is worded by people of other
 mother tongues, `training_4.json` tersely, `training_5.json` to `training_9.json` in many voices), so only a list nobody
 has seen is a measure. A fact that is not met counts as told when a wish that is not met, or a downgrade, names one of
