@@ -96,7 +96,7 @@ def test_the_scorer_finds_what_is_missing() -> None:
         ["floors=1", "floors=2", "room sauna", "room kitchen @1", "absent kitchen"], reply, layouts
     )
     assert [result.met for result in results] == [True, False, False, True, False]
-    with pytest.raises(ValueError, match="no fact"):
+    with pytest.raises(ValueError, match="not a fact"):
         score_building(["colour=red"], reply, layouts)
 
 

@@ -29,3 +29,11 @@ def test_what_is_in_the_middle_of_a_ward_is_on_every_floor() -> None:
     text = "A hospital ward: 2 floors, each floor 10 patient rooms, nurse station in the middle, one treatment room."
     program = plan_building(BuildRequest(description=text)).program
     assert [wish.scope.floors for wish in program.wishes if wish.value.name == "nurse_station"] == [[1, 2]]
+
+
+def test_a_till_between_storeys_is_a_range_and_no_furniture() -> None:
+    brief = "Office with five storeys. Storeys 2 till 4 are same: twelve offices, one archive. Open from 9 till 5."
+    program = plan_building(BuildRequest(description=brief)).program
+    wished = {wish.value.name: wish.scope.floors for wish in program.wishes if wish.kind == "room"}
+    assert wished == {"office": [2, 3, 4], "archive": [2, 3, 4]}
+    assert not [wish for wish in program.wishes if wish.kind == "object"]

@@ -58,6 +58,7 @@ def storey_forms(text: str, tokens: list[Token]) -> list[Token]:
         The brief, which says how a name is written.
     tokens : list of Token
     """
+    tokens = _with_plain_ranges(tokens)
     forms = _Forms(text, tokens)
     result: list[Token] = []
     index = 0
@@ -70,6 +71,27 @@ def storey_forms(text: str, tokens: list[Token]) -> list[Token]:
             result += found[0]
             index = found[1]
     return _with_ranges(text, _layers(_numbers_behind(result)))
+
+
+_NUMBERS = ("number", "ordinal")
+_RANGED = frozenset({"floor", "storey", "story", "level", "from"})
+"""Words before or after two numbers with "till" between them that make them a range."""
+
+
+def _with_plain_ranges(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with "storeys 2 till 4" as "storeys 2 to 4": this till is no piece of furniture."""
+    return [
+        replace(token, text="to")
+        if token.text in ("till", "until", "thru")
+        and 0 < index < len(tokens) - 1
+        and tokens[index - 1].kind in _NUMBERS
+        and tokens[index + 1].kind in _NUMBERS
+        and not _RANGED.isdisjoint(
+            near.text for near in (*tokens[max(index - 3, 0) : index], *tokens[index + 2 : index + 3])
+        )
+        else token
+        for index, token in enumerate(tokens)
+    ]
 
 
 class _Forms:

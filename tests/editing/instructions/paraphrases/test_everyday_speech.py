@@ -40,10 +40,7 @@ def _asked(text: str, state: SceneState) -> list[Statement]:
             "The courier starts at the hall. He has to reach the kitchen; should something block his way, move it.",
             "I can get from the hall to the kitchen.",
         ),
-        (
-            "The dog is gone, so is the need for the sofa. Out with it!",
-            "Remove the sofa.",
-        ),
+        ("The dog is gone, so is the need for the sofa. Out with it!", "Remove the sofa."),
         ("The sofa in the hall is wanted in the kitchen.", "Move the sofa in the hall to in the kitchen."),
         ("The sofa can go, hall.", "In the hall, the sofa can go."),
         ("Mind that the fridge is shut afterwards.", "Make sure that the fridge is shut."),
